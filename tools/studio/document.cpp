@@ -8,6 +8,7 @@
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/task_file.hpp"
+#include "tools/validate/verdict.hpp"
 
 namespace legwright {
 namespace {
@@ -65,6 +66,14 @@ Json payload_of(const Task& task) {
   return task.payload ? Json(task.payload->mass) : Json(nullptr);
 }
 
+/// What a task asks for, as verdicts say it.
+std::string words_of(const TaskFile& file) {
+  WantedMotion wanted;  // velocity and facing in the frame that it faces along
+  wanted.velocity = file.velocity;
+  wanted.turn_rate = file.turn_rate;
+  return describe(wanted, file.gait);
+}
+
 Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
   Json out = Json::array();
   for (int k = 0; k < state.problem->task_count(); ++k) {
@@ -73,6 +82,7 @@ Json tasks_of(const SessionState& state, const std::vector<std::string>& feet) {
     const SlopeAngles slope = slope_of(task.velocity, task.up);
     const bool own = !file.touchdown.empty() || !file.touchdown_by_foot.empty();
     out.push_back({{"name", file.name},
+                   {"words", words_of(file)},
                    {"gait", file.gait},
                    {"gait_kind", own ? "own" : "library"},
                    {"velocity", {file.velocity.x(), file.velocity.y()}},

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
 namespace legwright {
 namespace {
 
@@ -28,6 +31,18 @@ TEST(EventHubTest, OfEachKeyTheLatestIsToldInTheOrderInWhichItCame) {
   EXPECT_EQ(told(hub.after(all.back().number, 0, 0ms)), "motion6 ");
   hub.forget("motion");
   EXPECT_EQ(told(hub.after(0, 0, 0ms)), "state4 design5 ");
+}
+
+TEST(EventHubTest, WhatBelongsTogetherIsFoundTogether) {
+  EventHub hub;
+  for (int k = 0; k < 100; ++k) {
+    const std::uint64_t before = hub.now();
+    std::vector<StudioEvent> found;
+    std::thread follower([&] { found = hub.after(before, 0, 10s); });
+    hub.publish({{"design", "1"}, {"motion", "2", "motion:0"}, {"state", "3"}});
+    follower.join();
+    EXPECT_EQ(told(found), "design1 motion2 state3 ");
+  }
 }
 
 TEST(EventHubTest, NoticesAreAllToldButNotThoseFromBeforeOneJoined) {

@@ -279,3 +279,38 @@ class Telling(OwnStudio):
         studio.js('legwrightStudio.command("step")')
         passes.wait_for(state='hidden')
         self.assertEqual(studio.console, [])
+
+    def test_the_task_is_told_beside_the_body_and_changed_under_simulate(self):
+        studio = self.open('puppy/sideways.toml')
+        told = studio.page.get_by_label('What it is to do', exact=True)
+        told.get_by_text('walk sideways at 0.100 m/s').wait_for()
+        studio.button('Change…').click()
+        studio.page.get_by_label('left [m/s]').fill('0.08')
+        studio.page.keyboard.press('Enter')
+        studio.until('legwrightStudio.store.get("document").tasks[0].velocity[1] === 0.08')
+        studio.workspace('Design')
+        told.get_by_text('walk sideways at 0.080 m/s').wait_for()
+        self.assertEqual(studio.console, [])
+
+    def test_the_verdict_is_seen_after_a_search_without_scrolling(self):
+        studio = self.open('puppy/sideways.toml')
+        studio.workspace('Simulate')
+        studio.js(f'legwrightStudio.take("point", {{iteration: 1, F: 2, terms: {STATE}.terms}})')
+        studio.page.locator('.legend:visible span').first.wait_for()
+        kept = {'words': 'no fall', 'passed': True}
+        missed = {'words': 'tilted by 0.4 rad', 'passed': False}
+        lines = [missed, *[kept] * 8]
+        studio.js(
+            """lines => legwrightStudio.take('judge', {
+              running: false, verdict: {word: 'FAIL', words: 'FAIL  walk'}, lines})""",
+            lines,
+        )
+        reason = studio.page.get_by_text('tilted by 0.4 rad')
+        for seen in (studio.button('Judge'), reason):
+            box = seen.bounding_box()
+            self.assertLess(box['y'] + box['height'], 720)
+        self.assertEqual(studio.page.get_by_text('no fall').count(), 8)
+        self.assertFalse(studio.page.get_by_text('no fall').first.is_visible())
+        studio.page.get_by_text('8 limits are kept').click()
+        studio.page.get_by_text('no fall').first.wait_for()
+        self.assertEqual(studio.console, [])

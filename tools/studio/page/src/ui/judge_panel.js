@@ -56,6 +56,9 @@ export class JudgePanel {
     this.verdict = h("p.verdict", { role: "status" });
     this.advice = h("p.hint", { hidden: true }, ADVICE);
     this.lines = h("ul.verdict-lines");
+    this.kept = h("ul.verdict-lines");
+    this.keptTitle = h("summary");
+    this.folded = h("details", { hidden: true }, this.keptTitle, this.kept);
     this.element = h(
       "section.panel",
       { aria: { label: "Judge" } },
@@ -67,6 +70,7 @@ export class JudgePanel {
       this.advice,
       this.ofFound,
       this.lines,
+      this.folded,
     );
     studio.store.on("judge", (judge) => this.update(judge));
     studio.store.on(["state", "document"], () => this.markOld());
@@ -93,12 +97,11 @@ export class JudgePanel {
     this.passes = verdict?.word === "PASS";
     this.advice.hidden = !verdict || this.passes;
     this.markOld();
-    const failing = lines.filter((line) => !line.passed);
-    const passing = lines.filter((line) => line.passed);
-    fill(
-      this.lines,
-      [...failing, ...passing].map((line) => this.line(line)),
-    );
+    const [kept, missed] = [true, false].map((good) => lines.filter((line) => line.passed === good));
+    for (const [list, some] of [[this.lines, missed], [this.kept, kept]])
+      fill(list, some.map((line) => this.line(line)));
+    this.folded.hidden = !kept.length;
+    setText(this.keptTitle, `${kept.length} ${kept.length === 1 ? "limit is" : "limits are"} kept`);
     if (this.asked && (running || verdict)) this.verdict.scrollIntoView({ block: "nearest" });
     if (!running) this.asked = false;
   }

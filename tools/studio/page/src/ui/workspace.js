@@ -18,6 +18,7 @@ import { SearchButtons, SearchPanel } from "./search_panel.js";
 import { showShortcuts, takeKeys } from "./shortcuts.js";
 import { SnapshotsPanel } from "./snapshots_panel.js";
 import { TaskPanel } from "./task_panel.js";
+import { TaskSummary } from "./task_summary.js";
 import { followTheme, switchTheme } from "./theme.js";
 import { Timeline } from "./timeline.js";
 
@@ -106,6 +107,7 @@ export class Workspace {
     this.panels = {
       design: {
         left: [
+          new TaskSummary(studio).element,
           h(
             "section.panel",
             { aria: { label: "Parameters" } },
@@ -122,7 +124,7 @@ export class Workspace {
       },
       simulate: {
         left: [new TaskPanel(studio).element],
-        right: [new SearchPanel(studio), this.physics, new JudgePanel(studio)].map(
+        right: [new SearchPanel(studio), new JudgePanel(studio), this.physics].map(
           (each) => each.element,
         ),
       },
