@@ -133,6 +133,15 @@ Json terms_of_all() {
   return out;
 }
 
+/// Whether a body's mass depends on its design: links whose masses a file tells keep them.
+bool mass_changes(const RobotModel& robot) {
+  for (const Link& link : robot.morphology.links)
+    for (const PointMass& point : link.masses)
+      for (const Eigen::VectorXd& s : {robot.space.lower(), robot.space.upper()})
+        if (point.growth_at(s) != point.growth_at(robot.space.initial())) return true;
+  return false;
+}
+
 /// The body that each joint moves.
 Json joints_of(const mjModel& model) {
   Json out = Json::array();
@@ -149,6 +158,7 @@ Json document_json(const SessionState& state, const std::vector<Handle>& handles
   const std::vector<std::string> feet = foot_names(state.problem->robot.morphology);
   return {{"name", state.problem->robot.morphology.name},
           {"mass", state.problem->robot.morphology.total_mass()},
+          {"mass_changes", mass_changes(state.problem->robot)},
           {"leg_length", state.problem->robot.morphology.leg_length},
           {"feet", feet},
           {"joints", joints_of(model)},

@@ -48,8 +48,7 @@ Json motion_json(const SessionState& state, int task, const mjModel& model) {
   const Trajectory trajectory = planned_trajectory(objective, state.now->tasks.at(k).m);
   const JointMap map = map_joints(model, trajectory.joint_names);
   const bool predicted = !state.settled();
-  Json out =
-      motion_frames_json(model, trajectory, predicted ? kPredictedFrames : kFewestFrames);
+  Json out = motion_frames_json(model, trajectory, predicted ? kPredictedFrames : kFewestFrames);
   for (std::size_t foot = 0; foot < morphology.feet.size(); ++foot) {
     const Foot& one = morphology.feet[foot];
     out["feet"][foot]["body"] = body_of_foot(model, one, map);

@@ -59,6 +59,12 @@ fs::path StudioService::scratch(const std::string& name) const {
   return folder_->path() / name;
 }
 
+/// A run's verdict at three gains, written into it.
+void StudioService::play(JobRunner& job, const fs::path& run) const {
+  job.run("playing", {options_.program.string(), "validate", run.string(), "--quick", "--progress"},
+          1);
+}
+
 /// Saves what stands now, plays it at three gains in a process of its own, and tells the verdict.
 Json StudioService::post_judge(const StudioRequest&) {
   const auto space = workspace();
@@ -68,9 +74,7 @@ Json StudioService::post_judge(const StudioRequest&) {
     const PassingRun run(folder);
     job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
     options_.save(*record, run.folder(), true);
-    job.run("playing",
-            {options_.program.string(), "validate", run.folder().string(), "--quick", "--progress"},
-            1);
+    play(job, run.folder());
     Json told = verdict_lines(run.folder());
     note_verdict(*record->state, told["verdict"]["word"]);
     told["done"] = told["of"] = 1;
@@ -125,11 +129,12 @@ Json StudioService::post_optimize(const StudioRequest& request) {
                                  path.string(), "--no-pictures", "--no-reasons", "--progress"},
                                 1);
     kept_.note_recent(path, name);
+    play(job, path);  // the run's own verdict, which its report and export tell
     job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
-    hub_.notice(passes ? "info" : "error",
+    hub_.notice(passes ? "done" : "error",
                 fmt::format("{}: {}", path.string(),
-                            passes ? "a run that passes; `legwright report` and `export` take it"
-                                   : "no body was found that passes; this run is the best one"));
+                            passes ? "MuJoCo passes this one"
+                                   : "no body was found that passes; this is the best one"));
   });
   return {{"path", path.string()}};
 }
@@ -152,16 +157,17 @@ Json StudioService::post_report(const StudioRequest& request) {
   jobs_.start("report", [this, path, record, saved](JobRunner& job) {
     const std::string program = options_.program.string();
     if (!saved) options_.save(*record, path, false);
-    job.run("playing", {program, "validate", path.string(), "--quick", "--progress"}, 1);
+    play(job, path);
     job.run("drawing", {program, "render", path.string()});
     job.run("writing the report", {program, "report", path.string()});
     job.tell({{"words", "written"}, {"path", (path / "report.html").string()}}, false);
-    hub_.notice("info", "The report is written: " + (path / "report.html").string());
+    hub_.notice("done", "The report is written: " + (path / "report.html").string());
   });
   return {{"path", (path / "report.html").string()}};
 }
 
-/// The robot and its gait for stock MuJoCo, in a new folder: of what stands, or of a run as it is.
+/// The robot and its gait for stock MuJoCo, in a new folder: of what stands, which is judged for it,
+/// or of a run as it is.
 Json StudioService::post_export(const StudioRequest& request) {
   const auto space = workspace();
   const auto run_asked = given_or<std::string>(request.body, "run", "");
@@ -172,12 +178,15 @@ Json StudioService::post_export(const StudioRequest& request) {
   auto record = std::make_shared<SessionRecord>(space->session().record());
   jobs_.start("export", [this, path, folder, record, as_it_is](JobRunner& job) {
     const PassingRun run(folder);
-    if (as_it_is.empty()) options_.save(*record, run.folder(), true);
+    if (as_it_is.empty()) {
+      options_.save(*record, run.folder(), true);
+      play(job, run.folder());
+    }
     const fs::path& from = as_it_is.empty() ? run.folder() : as_it_is;
     job.run("exporting", {options_.program.string(), "export", from.string(), "-o", path.string()},
             1);
     job.tell({{"words", "written"}, {"path", path.string()}}, false);
-    hub_.notice("info", "Exported: " + path.string());
+    hub_.notice("done", "Exported: " + path.string());
   });
   return {{"path", path.string()}};
 }

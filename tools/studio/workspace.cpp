@@ -37,10 +37,11 @@ const std::vector<Handle>& Workspace::handles() {
 }
 
 Json Workspace::document() {
+  const int number = document_;  // first: what follows may be newer, then the page asks once more
   const StatePointer state = session_->snapshot()->state;
   const ModelPointer model = drawn_model(robot_, state->s());
   Json out = document_json(*state, handles(), *model);
-  out["document"] = document_.load();
+  out["document"] = number;
   return out;
 }
 

@@ -9,12 +9,12 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <thread>
 #include <vector>
 
 #include "tests/support/paths.hpp"
 #include "tests/tools/studio/browser.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/studio/kept_sessions.hpp"
 
 namespace legwright {
@@ -185,6 +185,9 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
   const Json exported = browser.next(
       "job", [](const Json& j) { return j.value("what", "") == "export" && !j["running"]; });
   EXPECT_EQ(exported.value("failed", ""), "");
+  EXPECT_NE(read_file(folder_.path() / "mine" / "README.md").find("- PASS  walk sideways"),
+            std::string::npos)
+      << "its own verdict";
   const RobotModel mine = read_robot(folder_.path() / "mine" / "puppy.xml");
   const Eigen::VectorXd values = mine.space.initial();
   for (int k = 0; k < values.size(); ++k) {
@@ -226,10 +229,9 @@ TEST_F(StudioProgramTest, PlansATightenedGaitAsItsSearchDid) {
   std::string folder;
   for (const Json& each : told["choice"]["candidates"])
     if (each["name"] == told["choice"]["chosen"]) folder = each["folder"];
-  std::ostringstream planned;
-  planned << std::ifstream(folder_.path() / "found" / folder / "tightened.toml").rdbuf();
-  EXPECT_NE(planned.str().find("torque_margin"), std::string::npos) << planned.str();
-  EXPECT_EQ(judged["judged"]["task_text"], planned.str());
+  const std::string planned = read_file(folder_.path() / "found" / folder / "tightened.toml");
+  EXPECT_NE(planned.find("torque_margin"), std::string::npos) << planned;
+  EXPECT_EQ(judged["judged"]["task_text"], planned);
 }
 
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
@@ -251,6 +253,9 @@ TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
   const Json exported = browser.next("job", [](const Json& j) { return !j["running"]; });
   EXPECT_EQ(exported.value("failed", ""), "");
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "mine" / "play.py"));
+  EXPECT_NE(read_file(folder_.path() / "mine" / "README.md")
+                .find("- " + judged["verdict"]["word"].get<std::string>() + "  crawl"),
+            std::string::npos);
   ASSERT_EQ(browser.post("/api/save", {{"path", "run"}})["status"], 200);
   browser.post("/api/command", {{"do", "edit"}, {"values", {{"front_thigh_length", 0.1}}}});
   (void)browser.settled();

@@ -155,7 +155,7 @@ class Telling(OwnStudio):
 
         self.assertEqual(proposed('Save'), 'runs/puppy')
         studio.page.keyboard.press('Enter')
-        studio.page.get_by_text('Done: ').wait_for()
+        studio.page.get_by_text('Saved: ').wait_for()
         self.assertEqual(proposed('Save'), 'runs/puppy_2')
         studio.page.keyboard.press('Escape')
         self.assertEqual(proposed('Report'), 'runs/puppy_report')

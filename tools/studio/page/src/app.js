@@ -41,6 +41,7 @@ function begin() {
   studio.showStart = () => show("start");
   const pageOf = ({ path, proposes, assembles, of_modules: built }) =>
     assembles ? "assembly" : proposes ? "proposal" : path || built ? "workspace" : "start";
+  studio.showOpen = () => show(pageOf(studio.store.get("opened")));
   studio.store.on("opened", (opened) => opened && show(pageOf(opened)));
   studio.store.on("opening", (on) => document.body.classList.toggle("is-opening", on));
   takeDrops(document.body, studio);

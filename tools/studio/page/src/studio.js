@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's own state and what can be done to it: all panels read from here and act through here.
 import { Edits } from "./session/edits.js";
-import { ApiError, command, get, meshSource, post } from "./session/api.js";
+import { ApiError, command, get, meshSource, post, remove } from "./session/api.js";
 import { follow } from "./session/events.js";
 import { Latest } from "./session/latest.js";
 import { SetByHand } from "./session/set_by_hand.js";
@@ -93,6 +93,8 @@ export class Studio {
     this.loading = true;
     try {
       const document = await get("/api/document");
+      this.known ??= document.document; // no state has told it yet
+      this.again &&= document.document !== this.known;
       if ((this.store.get("task") ?? 0) >= document.tasks.length) this.store.set("task", 0);
       this.store.set("document", document);
       this.showMotion();
@@ -273,6 +275,12 @@ export class Studio {
     return this.halt();
   }
 
+  /** Ends the search, or the long work in the background. */
+  stopAll() {
+    const searches = this.store.get("paused") || this.store.get("state")?.phase === "searching";
+    return searches ? this.stopSearch() : this.act(() => remove("/api/job"));
+  }
+
   /** Opens something else, with the page dimmed while the server reads it. */
   async open(request) {
     this.store.set("opening", true);
@@ -290,7 +298,6 @@ export class Studio {
       hint: `${words}The folder is below those that the studio was started with.`,
     });
     if (!path) return undefined;
-    this.notices.show("info", `${action}: ${path} …`);
     await this.answered();
     return this.act(() => post(request, { path, ...more }));
   }
@@ -299,7 +306,7 @@ export class Studio {
   async save() {
     const name = `runs/${this.name()}`;
     const done = await this.toFolder("Save as a run", "Save", name, "/api/save");
-    if (done) this.notices.show("info", `Done: ${done.path}`);
+    if (done) this.notices.show("done", `Saved: ${done.path}`);
   }
 
   /** `optimize` from the present body: what MuJoCo passes, as a run of its own. */

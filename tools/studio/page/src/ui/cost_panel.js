@@ -32,6 +32,11 @@ export class CostPanel {
       "state",
       calmly((state) => this.update(state)),
     );
+    studio.store.on("document", () => {
+      this.told = null;
+      const state = studio.store.get("state");
+      if (state) this.update(state);
+    });
   }
 
   update(state) {
@@ -41,7 +46,7 @@ export class CostPanel {
     const parts = [
       state.settled ? "" : "predicted",
       state.J ? `goal of the body (J) ${significant(state.J)}` : "",
-      Number.isFinite(state.mass) ? `${state.mass.toFixed(3)} kg` : "",
+      this.massOf(state),
       ...(state.task_F?.length > 1
         ? state.task_F.map((F, i) => `${this.taskName(i)} ${significant(F, 3)}`)
         : []),
@@ -49,6 +54,13 @@ export class CostPanel {
     setText(this.rest, parts.filter(Boolean).join(" · "));
     this.F.classList.toggle("pending", !state.settled);
     this.showTerms(state);
+  }
+
+  /** The mass, and that it stays where the robot's file tells the masses of its links. */
+  massOf({ mass }) {
+    if (!Number.isFinite(mass)) return "";
+    const stays = this.studio.store.get("document")?.mass_changes === false;
+    return `${mass.toFixed(3)} kg${stays ? ", as the file has it" : ""}`;
   }
 
   taskName(i) {
@@ -128,6 +140,9 @@ export class FaultsPanel {
       );
     fill(
       this.list,
+      passed
+        ? h("li.good", {}, "MuJoCo passes it all the same: these are margins that the plan wants.")
+        : null,
       faults.slice(0, 12).map((fault) => this.row(fault)),
       faults.length > 12 ? h("li.more", {}, `and ${faults.length - 12} more`) : null,
     );

@@ -109,7 +109,7 @@ export class Notices {
     for (const note of this.element.querySelectorAll(`.notice.${level}`)) note.remove();
   }
 
-  /** @param {"info"|"warning"|"error"} level */
+  /** @param {"info"|"done"|"warning"|"error"} level what is done stays until it is dismissed */
   show(level, words) {
     const close = () => note.remove();
     const note = h(
@@ -120,6 +120,6 @@ export class Notices {
     );
     while (this.element.children.length > 3) this.element.firstChild.remove();
     this.element.append(note);
-    setTimeout(close, level === "error" ? 12000 : 5000);
+    if (level !== "done") setTimeout(close, level === "error" ? 12000 : 5000);
   }
 }

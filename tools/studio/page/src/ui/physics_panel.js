@@ -14,7 +14,7 @@ const SLIDERS = [
   { key: "damping", label: "damping", unit: "×", min: 0.25, max: 4, step: 0.05, value: 1 },
   { key: "friction", label: "friction", unit: "", min: 0.1, max: 1.5, step: 0.05, value: 0.8 },
   { key: "slope", label: "slope", unit: "rad", min: -0.3, max: 0.3, step: 0.01, value: 0 },
-  { key: "speed", label: "speed", unit: "×", min: 0.1, max: 1, step: 0.05, value: 1 },
+  { key: "speed", label: "playback", unit: "×", min: 0.1, max: 1, step: 0.05, value: 1 },
 ];
 
 export class PhysicsPanel {
@@ -35,6 +35,7 @@ export class PhysicsPanel {
         {},
         SLIDERS.map((slider) => this.slider(slider)),
       ),
+      h("p.hint", {}, "For playing here alone: Judge takes what the task says."),
       this.forces,
     );
     this.show(false);

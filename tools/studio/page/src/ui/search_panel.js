@@ -21,8 +21,8 @@ export class SearchButtons {
       "button",
       {
         type: "button",
-        title: "End the search; the design stays as it is",
-        onClick: () => studio.stopSearch(),
+        title: "End the search, or what goes on in the background; the design stays as it is",
+        onClick: () => studio.stopAll(),
       },
       icon("stop"),
       "Stop",
@@ -34,7 +34,7 @@ export class SearchButtons {
       this.step,
       this.stop,
     );
-    studio.store.on(["state", "paused"], () => this.update());
+    studio.store.on(["state", "paused", "job"], () => this.update());
   }
 
   toggle() {
@@ -52,7 +52,7 @@ export class SearchButtons {
       fill(this.main, icon(this.searching ? "pause" : "play"), label);
     }
     this.step.disabled = this.searching;
-    this.stop.disabled = !this.searching && !paused;
+    this.stop.disabled = !this.searching && !paused && !this.studio.store.get("job")?.running;
   }
 }
 

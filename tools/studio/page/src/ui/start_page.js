@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first page: examples as pictures, a path, what was open before, a robot of one's own by drop.
-import { fill, h } from "../dom.js";
+import { fill, h, setText } from "../dom.js";
 import { StillPictures } from "../scene/still.js";
 import { get, post } from "../session/api.js";
 import { words } from "../units.js";
 import { theme } from "./theme.js";
+
+const FEW = 3; // sessions that were not saved, before the others are folded
 
 /** All files of what was dropped, with folders gone through. @returns {Promise<File[]>} */
 export async function droppedFiles(transfer) {
@@ -72,6 +74,7 @@ export class StartPage {
     this.recent = h("ul.recent");
     this.assemblies = h("ul.recent");
     this.unsaved = h("div", { hidden: true });
+    this.back = h("button", { type: "button", onClick: () => studio.showOpen() });
     this.path = h("input.wide", {
       type: "text",
       placeholder: "ROBOT.xml, TASK.toml or a run's folder",
@@ -94,16 +97,17 @@ export class StartPage {
         h(
           "section.start-side",
           {},
-          this.unsaved,
+          this.back,
           h("h2", {}, "Your own robot"),
           this.ownRobot(),
+          this.unsaved,
           h("h2", {}, "Of modules"),
           h(
             "p",
             {},
             h("button", { type: "button", onClick: () => this.openNew() }, "New robot…"),
           ),
-          this.assemblies,
+          h("details", {}, h("summary", {}, "Examples of modules"), this.assemblies),
           h("h2", {}, "Open"),
           h(
             "form.open-path",
@@ -141,7 +145,16 @@ export class StartPage {
     );
   }
 
+  /** The way back to what is open still, with all that was done there. */
+  showBack() {
+    const { store } = this.studio;
+    this.back.hidden = !store.get("opened")?.kept;
+    const name = store.get("assembly")?.name ?? store.get("document")?.label ?? "the new robot";
+    setText(this.back, `Back to ${name}`);
+  }
+
   async load() {
+    this.showBack();
     const found = await this.studio.act(() => get("/api/start"));
     if (!found) return;
     this.showExamples(found.examples ?? []);
@@ -157,7 +170,15 @@ export class StartPage {
       this.link(path, name, [begun, placeOf(origin)].filter(Boolean).join(", ")),
     );
     this.unsaved.hidden = !unsaved.length;
-    fill(this.unsaved, h("h2", {}, "Not saved"), h("ul.recent", {}, unsaved));
+    const [latest, older] = [unsaved.slice(0, FEW), unsaved.slice(FEW)];
+    fill(
+      this.unsaved,
+      h("h2", {}, "Not saved"),
+      h("ul.recent", {}, latest),
+      older.length
+        ? h("details", {}, h("summary", {}, `${older.length} older`), h("ul.recent", {}, older))
+        : "",
+    );
     if (found.roots?.length) this.path.title = `Below ${found.roots.join(", ")}`;
   }
 

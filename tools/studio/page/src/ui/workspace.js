@@ -93,9 +93,9 @@ export class Workspace {
       this.title,
       h("div.tabs", { role: "tablist", aria: { label: "Workspace" } }, this.tabs),
       h("span.spring"),
+      this.job.element, // grows into the gap: what stands behind it stays where it is
       studio.searchButtons.element,
       h("div.segmented", { role: "group", aria: { label: "History" } }, this.undo, this.redo),
-      this.job.element,
       this.connection,
       iconButton("sun", "Light or dark", switchTheme),
       iconButton("help", "Keys (?)", showShortcuts),
