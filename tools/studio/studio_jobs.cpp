@@ -166,8 +166,8 @@ Json StudioService::post_report(const StudioRequest& request) {
   return {{"path", (path / "report.html").string()}};
 }
 
-/// The robot and its gait for stock MuJoCo, in a new folder: of what stands, which is judged for it,
-/// or of a run as it is.
+/// The robot and its gait for stock MuJoCo, in a new folder: of what stands, judged for it, or of a
+/// run as it is.
 Json StudioService::post_export(const StudioRequest& request) {
   const auto space = workspace();
   const auto run_asked = given_or<std::string>(request.body, "run", "");
