@@ -119,8 +119,10 @@ def play(film):
     film.roll(4)
     studio.button('Judge').click()
     film.roll(40, 'legwrightStudio.store.get("judge")?.verdict')
-    studio.page.locator('.verdict-lines').scroll_into_view_if_needed()
-    film.roll(2.0)
+    studio.page.locator('p.verdict').scroll_into_view_if_needed()
+    film.roll(1.0)
+    studio.page.get_by_text('limits are kept').click()
+    film.roll(1.5)
 
 
 def main():
