@@ -65,6 +65,15 @@ void StudioService::play(JobRunner& job, const fs::path& run) const {
           1);
 }
 
+/// The same where the work is of worth without it.
+void StudioService::play_if_it_goes(JobRunner& job, const fs::path& run) {
+  try {
+    play(job, run);
+  } catch (const std::exception& error) {
+    if (!job.cancelled()) hub_.notice("warning", fmt::format("Not judged: {}", error.what()));
+  }
+}
+
 /// Saves what stands now, plays it at three gains in a process of its own, and tells the verdict.
 Json StudioService::post_judge(const StudioRequest&) {
   const auto space = workspace();
@@ -129,7 +138,7 @@ Json StudioService::post_optimize(const StudioRequest& request) {
                                  path.string(), "--no-pictures", "--no-reasons", "--progress"},
                                 1);
     kept_.note_recent(path, name);
-    play(job, path);  // the run's own verdict, which its report and export tell
+    if (passes) play_if_it_goes(job, path);  // its own verdict, for its report and export
     job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
     hub_.notice(passes ? "done" : "error",
                 fmt::format("{}: {}", path.string(),
@@ -180,7 +189,7 @@ Json StudioService::post_export(const StudioRequest& request) {
     const PassingRun run(folder);
     if (as_it_is.empty()) {
       options_.save(*record, run.folder(), true);
-      play(job, run.folder());
+      play_if_it_goes(job, run.folder());
     }
     const fs::path& from = as_it_is.empty() ? run.folder() : as_it_is;
     job.run("exporting", {options_.program.string(), "export", from.string(), "-o", path.string()},

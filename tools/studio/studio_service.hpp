@@ -120,6 +120,7 @@ class StudioService {
   /// A folder in that of the session.
   std::filesystem::path scratch(const std::string& name) const;
   void play(JobRunner& job, const std::filesystem::path& run) const;
+  void play_if_it_goes(JobRunner& job, const std::filesystem::path& run);
   void tell_opened();
   bool is_untouched(const SessionSnapshot& last) const;
   /// Closes what is open. A session whose state was saved, or in which nothing was done, need not

@@ -133,8 +133,23 @@ void Workspace::tell(const SessionEvent& event) {
   last_point_ = event.snapshot->state;
 }
 
-/// What belongs together goes out together: who follows draws it as one picture.
+/// What belongs together goes out together: who follows draws it as one picture. Where a part cannot
+/// be told, the parts before it are.
 void Workspace::show(const SessionSnapshot& snapshot) {
+  const bool first = !model_;
+  std::vector<ToldEvent> told;
+  try {
+    gather(snapshot, told);
+  } catch (const std::exception&) {
+    hub_.publish(std::move(told));
+    throw;
+  }
+  hub_.publish(std::move(told));
+  if (first)  // looking for handles takes a while
+    hub_.publish({told_design(snapshot.revision, true)});
+}
+
+void Workspace::gather(const SessionSnapshot& snapshot, std::vector<ToldEvent>& told) {
   const SessionState& state = *snapshot.state;
   if (state.problem != problem_) {
     problem_ = state.problem;
@@ -142,7 +157,6 @@ void Workspace::show(const SessionSnapshot& snapshot) {
     if (static_cast<std::size_t>(state.problem->task_count()) < motions_) hub_.forget("motion");
   }
   const bool first = !model_;
-  std::vector<ToldEvent> told;
   if (first || shown_s_ != state.s()) {
     model_ = drawn_model(robot_, state.s());
     shown_s_ = state.s();
@@ -160,9 +174,6 @@ void Workspace::show(const SessionSnapshot& snapshot) {
   }
   tell_alternatives(snapshot);
   told.push_back({"state", to_line(state_json(snapshot, document_))});
-  hub_.publish(std::move(told));
-  if (first)  // looking for handles takes a while
-    hub_.publish({told_design(snapshot.revision, true)});
 }
 
 void Workspace::tell_alternatives(const SessionSnapshot& snapshot) {

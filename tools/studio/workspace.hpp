@@ -62,6 +62,7 @@ class Workspace {
   void check_task(const SessionState& state, int task) const;
   void follow();
   void show(const SessionSnapshot& snapshot);
+  void gather(const SessionSnapshot& snapshot, std::vector<ToldEvent>& told);
   void tell(const SessionEvent& event);
   ToldEvent told_design(std::uint64_t revision, bool with_handles);
   void tell_alternatives(const SessionSnapshot& snapshot);

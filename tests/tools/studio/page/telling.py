@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of what the page says, names and proposes; browser_test.py runs them."""
 
+import re
+
 from own_studio import OwnStudio
 
 STATE = 'legwrightStudio.store.get("state")'
@@ -314,3 +316,25 @@ class Telling(OwnStudio):
         studio.page.get_by_text('8 limits are kept').click()
         studio.page.get_by_text('no fall').first.wait_for()
         self.assertEqual(studio.console, [])
+
+    def test_physics_tell_how_fast_the_robot_goes_and_was_to_go(self):
+        for task, said in (
+            ('hexapod/turning_on_the_spot.toml', r'turns (\S+) rad/s, planned 0\.80'),
+            ('hexapod/tripod_0.1.toml', r'(\S+) m/s, planned 0\.100'),
+        ):
+            with self.subTest(task):
+                studio = self.open(task)
+                studio.workspace('Simulate')
+                studio.button('Play in MuJoCo').click()
+                panel = studio.page.get_by_label('Physics', exact=True)
+                panel.get_by_text(re.compile(said)).wait_for()
+                planned = 0.8 if 'turns' in said else 0.1
+                speeds = []
+                for _ in range(10):
+                    studio.page.wait_for_timeout(100)
+                    status = panel.locator('.status').inner_text()
+                    speeds.append(float(re.search(said, status)[1]))
+                self.assertAlmostEqual(max(speeds), planned, delta=0.15 * planned)
+                studio.page.get_by_label('Speed', exact=True).select_option('0.25')
+                studio.until('legwrightStudio.store.get("physics").speed < 0.5')
+                self.assertEqual(studio.console, [])

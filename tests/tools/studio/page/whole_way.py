@@ -224,6 +224,37 @@ class Whole(unittest.TestCase):
         studio.until('legwrightStudio.store.get("job").failed === "cancelled"')
         self.assertTrue(studio.button('Stop').is_disabled())
         self.assertEqual(studio.button('Optimise').bounding_box(), where, 'no button moves')
+        studio.button('Judge').click()
+        studio.until('legwrightStudio.store.get("judge")?.running')
+        studio.button('Stop').click()
+        studio.until('!legwrightStudio.store.get("judge").running')
+        self.assertFalse(studio.js('Boolean(legwrightStudio.store.get("judge").verdict)'))
+        self.assertEqual(studio.console, [])
+        studio.close()
+        server.close()
+
+    def test_a_document_that_comes_late_is_not_taken_for_that_of_another_robot(self):
+        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        studio = Page(self.browser, server.url)
+        studio.ready()
+        held = []
+
+        def hold(route):
+            if held:
+                route.continue_()
+            else:
+                held.append((route, route.fetch()))
+
+        studio.page.route('**/api/document', hold)
+        studio.js('() => void legwrightStudio.loadDocument()')
+        studio.button('File').click()
+        studio.page.get_by_role('menuitem', name='Open another…').click()
+        studio.page.get_by_role('button', name='walk', exact=True).click()
+        studio.until('legwrightStudio.store.get("state")?.s.length > 0 && legwrightStudio.again')
+        route, response = held[0]
+        route.fulfill(response=response)
+        studio.until('legwrightStudio.store.get("document")?.name === "biped"')
+        studio.ready()
         self.assertEqual(studio.console, [])
         studio.close()
         server.close()

@@ -92,7 +92,9 @@ export class Studio {
     if (this.loading) return (this.again = true);
     this.loading = true;
     try {
+      const { session } = this;
       const document = await get("/api/document");
+      if (session !== this.session) return void (this.again = true); // of what was open before
       this.known ??= document.document; // no state has told it yet
       this.again &&= document.document !== this.known;
       if ((this.store.get("task") ?? 0) >= document.tasks.length) this.store.set("task", 0);
@@ -275,10 +277,22 @@ export class Studio {
     return this.halt();
   }
 
-  /** Ends the search, or the long work in the background. */
-  stopAll() {
-    const searches = this.store.get("paused") || this.store.get("state")?.phase === "searching";
-    return searches ? this.stopSearch() : this.act(() => remove("/api/job"));
+  /** What goes on, as Stop ends it: a search, other designs, the judge, long work. */
+  atWork() {
+    const { store } = this;
+    const runs = (name) => Boolean(store.get(name)?.running);
+    return {
+      search: store.get("paused") || ["searching", "working out"].includes(store.get("state")?.phase),
+      judge: runs("judge"),
+      job: runs("job"),
+    };
+  }
+
+  async stopAll() {
+    const { search, judge, job } = this.atWork();
+    if (search) await this.stopSearch();
+    if (judge) await this.act(() => remove("/api/judge"));
+    if (job) await this.act(() => remove("/api/job"));
   }
 
   /** Opens something else, with the page dimmed while the server reads it. */

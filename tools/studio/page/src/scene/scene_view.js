@@ -75,6 +75,12 @@ export class SceneView {
     this.stage.setTheme(theme);
   }
 
+  /** How fast the plan is played, or physics. @param {number} speed of real time */
+  setSpeed(speed) {
+    this.speed = speed;
+    this.onSpeed?.();
+  }
+
   /** @param {import("../types.js").Design} design */
   setDesign(design) {
     this.design = design;

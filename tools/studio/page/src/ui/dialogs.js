@@ -118,7 +118,8 @@ export class Notices {
       h("span", {}, words),
       h("button.link", { type: "button", aria: { label: "Dismiss" }, onClick: close }, "Dismiss"),
     );
-    while (this.element.children.length > 3) this.element.firstChild.remove();
+    while (this.element.children.length > 3)
+      (this.element.querySelector(".notice:not(.done)") ?? this.element.firstChild).remove();
     this.element.append(note);
     if (level !== "done") setTimeout(close, level === "error" ? 12000 : 5000);
   }

@@ -11,12 +11,13 @@ export function shareOf({ what, words, done = 0, of = 0 }) {
   const share = of > 0 ? Math.min(1, done / of) : null;
   if (what !== "optimize") return share;
   if (words === "searching") return SEARCH * (share ?? 0);
+  if (words === "roll-outs") return 1; // what was found is judged
   return done > 0 ? SEARCH + (1 - SEARCH) * (done / (done + HALF)) : 0;
 }
 
 /** "playing designs in MuJoCo, 7 so far". */
 export function wordsOf({ what, words = "", done = 0, of = 0 }) {
-  if (of > 0) return `${words}, ${done} of ${what === "optimize" ? "about " : ""}${of}`;
+  if (of > 0) return `${words}, ${done} of ${words === "searching" ? "about " : ""}${of}`;
   return done > 0 ? `${words}, ${done} so far` : words;
 }
 

@@ -5,6 +5,7 @@ import { fill, h, icon, setText } from "../dom.js";
 import { floatsOf } from "../decode.js";
 import { post } from "../session/api.js";
 import { COLOURS, Plot } from "./plots.js";
+import { WalkedSpeed } from "./walked_speed.js";
 
 const SHOWN = 3; // s of curves
 const PUSH = 60; // N per metre of the pointer's way, for each kilogram of the robot
@@ -14,13 +15,13 @@ const SLIDERS = [
   { key: "damping", label: "damping", unit: "×", min: 0.25, max: 4, step: 0.05, value: 1 },
   { key: "friction", label: "friction", unit: "", min: 0.1, max: 1.5, step: 0.05, value: 0.8 },
   { key: "slope", label: "slope", unit: "rad", min: -0.3, max: 0.3, step: 0.01, value: 0 },
-  { key: "speed", label: "playback", unit: "×", min: 0.1, max: 1, step: 0.05, value: 1 },
 ];
 
 export class PhysicsPanel {
   constructor(studio) {
     this.studio = studio;
     this.values = Object.fromEntries(SLIDERS.map(({ key, value }) => [key, value]));
+    this.walked = new WalkedSpeed();
     this.addButtons();
     this.addCurves();
     this.status = h("p.status", { role: "status" });
@@ -40,6 +41,7 @@ export class PhysicsPanel {
     );
     this.show(false);
     studio.view.onRecording = () => this.hold();
+    studio.view.onSpeed = () => this.running && !this.held && this.send({});
     studio.store.on("forgotten", () => this.forget());
     // Of a body that has changed since, a run that is held has poses that do not fit.
     studio.store.on("design", () => this.held && this.toggle(false));
@@ -142,7 +144,7 @@ export class PhysicsPanel {
   }
 
   body(extra) {
-    const { stiffness, damping, friction, slope, speed } = this.values;
+    const { stiffness, damping, friction, slope } = this.values;
     const task = this.studio.store.get("task") ?? 0;
     const reset = Boolean(this.again);
     this.again = false;
@@ -152,7 +154,7 @@ export class PhysicsPanel {
       gains: [stiffness, damping],
       friction,
       slope,
-      speed,
+      speed: this.studio.view.speed,
       reset,
       push: this.push ?? null,
       ...extra,
@@ -274,7 +276,10 @@ export class PhysicsPanel {
     this.studio.view.setLive(live);
     const pace = Number.isFinite(speed) ? `${speed.toFixed(2)} × real time` : "";
     const end = fell ? `fell after ${fell.time.toFixed(2)} s: ${fell.words}` : "";
-    setText(this.status, [`${time.toFixed(2)} s`, pace, end].filter(Boolean).join(" · "));
+    const plan = this.studio.view.player;
+    if (plan) this.walked.add(time, live.poses, plan.period);
+    const walks = plan && !fell ? this.walked.words(plan) : "";
+    setText(this.status, [`${time.toFixed(2)} s`, pace, walks, end].filter(Boolean).join(" · "));
     this.status.classList.toggle("bad", Boolean(fell));
     this.curves(physics);
     this.rewound ||= time < this.until; // events from before the new start may still come

@@ -34,7 +34,7 @@ export class SearchButtons {
       this.step,
       this.stop,
     );
-    studio.store.on(["state", "paused", "job"], () => this.update());
+    studio.store.on(["state", "paused", "job", "judge"], () => this.update());
   }
 
   toggle() {
@@ -52,7 +52,7 @@ export class SearchButtons {
       fill(this.main, icon(this.searching ? "pause" : "play"), label);
     }
     this.step.disabled = this.searching;
-    this.stop.disabled = !this.searching && !paused && !this.studio.store.get("job")?.running;
+    this.stop.disabled = !Object.values(this.studio.atWork()).some(Boolean);
   }
 }
 
@@ -97,6 +97,7 @@ export class SearchPanel {
     const doing = {
       searching: `Searching: iteration ${state.iterations}${left}`,
       solving: "Solving for the motion",
+      "working out": "Working out other designs",
       idle: state.settled ? "At rest" : "The motion is predicted, not solved",
     }[state.phase];
     setText(this.status, `${doing} · cost F ${significant(state.F)}`);

@@ -148,7 +148,8 @@ export class StartPage {
   /** The way back to what is open still, with all that was done there. */
   showBack() {
     const { store } = this.studio;
-    this.back.hidden = !store.get("opened")?.kept;
+    const opened = store.get("opened");
+    this.back.hidden = !opened?.kept && !opened?.proposes;
     const name = store.get("assembly")?.name ?? store.get("document")?.label ?? "the new robot";
     setText(this.back, `Back to ${name}`);
   }

@@ -21,7 +21,7 @@ export class Timeline {
       {
         aria: { label: "Speed" },
         title: "Speed",
-        onChange: () => (view.speed = Number(this.speed.value)),
+        onChange: () => view.setSpeed(Number(this.speed.value)),
       },
       SPEEDS.map((s) => h("option", { value: s }, s === 1 ? "1 ×" : `${s} ×`)),
     );

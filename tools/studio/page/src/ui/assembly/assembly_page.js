@@ -128,7 +128,7 @@ export class AssemblyPage {
     try {
       const { path } = await post("/api/assembly/save", { path: file, force });
       this.savedAs = path; // no comments are in it
-      this.studio.notices.show("info", `Saved: ${path}`);
+      this.studio.notices.show("done", `Saved: ${path}`);
     } catch (error) {
       const isThere = error.status === 409 && !force;
       if (isThere && (await this.mayReplace(file))) await this.saveTo(file, true);
