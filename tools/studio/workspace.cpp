@@ -133,8 +133,8 @@ void Workspace::tell(const SessionEvent& event) {
   last_point_ = event.snapshot->state;
 }
 
-/// What belongs together goes out together: who follows draws it as one picture. Where a part cannot
-/// be told, the parts before it are.
+/// What belongs together goes out together: who follows draws it as one picture. Where a part
+/// cannot be told, the parts before it are.
 void Workspace::show(const SessionSnapshot& snapshot) {
   const bool first = !model_;
   std::vector<ToldEvent> told;
