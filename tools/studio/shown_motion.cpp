@@ -54,6 +54,7 @@ Json motion_json(const SessionState& state, int task, const mjModel& model) {
     out["feet"][foot]["body"] = body_of_foot(model, one, map);
     out["feet"][foot]["radius"] = one.radius;
   }
+  out["root"] = map.root_body;
   out["task"] = task;
   out["name"] = state.problem->task(task).name;
   out["weight"] = morphology.total_mass() * kGravity;

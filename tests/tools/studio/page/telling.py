@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of what the page says, names and proposes; browser_test.py runs them."""
 
+import pathlib
 import re
+import shutil
+import tempfile
 
 from own_studio import OwnStudio
+from studio_browser import ROOT
 
 STATE = 'legwrightStudio.store.get("state")'
 
@@ -317,10 +321,21 @@ class Telling(OwnStudio):
         studio.page.get_by_text('no fall').first.wait_for()
         self.assertEqual(studio.console, [])
 
+    def beside_a_table(self, task):
+        """A task of the hexapod, in whose file something else stands first."""
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        begin, table = '<worldbody>', '<body pos="2 2 .2"><geom size=".2"/></body>'
+        robot = (ROOT / 'examples/hexapod/robot.xml').read_text(encoding='utf-8')
+        here = pathlib.Path(folder.name)
+        (here / 'robot.xml').write_text(robot.replace(begin, begin + table), encoding='utf-8')
+        shutil.copy(ROOT / 'examples/hexapod' / task, here)
+        return str(here / task)
+
     def test_physics_tell_how_fast_the_robot_goes_and_was_to_go(self):
         for task, said in (
             ('hexapod/turning_on_the_spot.toml', r'turns (\S+) rad/s, planned 0\.80'),
-            ('hexapod/tripod_0.1.toml', r'(\S+) m/s, planned 0\.100'),
+            (self.beside_a_table('tripod_0.1.toml'), r'(\S+) m/s, planned 0\.100'),
         ):
             with self.subTest(task):
                 studio = self.open(task)
@@ -334,7 +349,7 @@ class Telling(OwnStudio):
                     studio.page.wait_for_timeout(100)
                     status = panel.locator('.status').inner_text()
                     speeds.append(float(re.search(said, status)[1]))
-                self.assertAlmostEqual(max(speeds), planned, delta=0.15 * planned)
+                self.assertAlmostEqual(speeds[-1], planned, delta=0.15 * planned)
                 studio.page.get_by_label('Speed', exact=True).select_option('0.25')
                 studio.until('legwrightStudio.store.get("physics").speed < 0.5')
                 self.assertEqual(studio.console, [])

@@ -1,24 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of ways through several robots and requests; browser_test.py runs them."""
 
-import unittest
+from own_studio import OwnStudio
+from studio_browser import ROOT, Page
 
-from studio_browser import ROOT, Page, Server, browser
 
-
-class Whole(unittest.TestCase):
-    """Each has a server of its own: what is opened, judged and undone in turn."""
-
-    def setUp(self):
-        self.stack = browser()
-        self.browser = self.stack.__enter__()
-
-    def tearDown(self):
-        self.stack.__exit__(None, None, None)
+class Whole(OwnStudio):
+    """What is opened, judged and undone in turn."""
 
     def test_start_judge_save_reopen(self):
-        server = Server()
-        studio = Page(self.browser, server.url)
+        studio = self.open(None)
         studio.page.get_by_role('button', name='sideways trot').click()
         studio.ready()
         studio.button('Step').click()
@@ -32,25 +23,21 @@ class Whole(unittest.TestCase):
         verdict = studio.js('legwrightStudio.store.get("judge").verdict.word')
         self.assertIn(verdict, ('PASS', 'FAIL'))
         studio.page.keyboard.press('Control+s')
-        studio.page.get_by_label('Folder').fill(str(server.output / 'run'))
+        studio.page.get_by_label('Folder').fill(str(self.server.output / 'run'))
         studio.page.keyboard.press('Enter')
         studio.page.get_by_text('Saved: ').wait_for()
-        self.assertTrue((server.output / 'run/run.json').is_file())
+        self.assertTrue((self.server.output / 'run/run.json').is_file())
         studio.button('File').click()
         studio.page.get_by_role('menuitem', name='Open another…').click()
-        studio.page.get_by_label('Path').fill(str(server.output / 'run'))
+        studio.page.get_by_label('Path').fill(str(self.server.output / 'run'))
         studio.page.keyboard.press('Enter')
         studio.page.locator('.workspace').wait_for()
         studio.ready()
         self.assertEqual(studio.state('s'), before)
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_undo_comes_after_the_edits_that_still_wait(self):
-        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('puppy/sideways.toml')
         name = 'front_foot_length'
         before = studio.value(name)
         undone = studio.js(
@@ -68,13 +55,9 @@ class Whole(unittest.TestCase):
         studio.settled()
         self.assertEqual(studio.value(name), before)
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_a_state_may_come_before_the_document_of_its_robot(self):
-        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('puppy/sideways.toml')
         studio.js(
             """() => {
               const { store } = legwrightStudio;
@@ -84,8 +67,6 @@ class Whole(unittest.TestCase):
         )
         studio.page.wait_for_timeout(400)  # longer than panels wait
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def judged(self, studio):
         """The heading over the verdict once it is there."""
@@ -95,9 +76,7 @@ class Whole(unittest.TestCase):
         return studio.page.locator('section[aria-label="Judge"] h2').inner_text()
 
     def test_verdict_and_physics_go_with_what_they_are_of(self):
-        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('puppy/sideways.toml')
         studio.workspace('Simulate')
         heading = 'document.querySelector(\'section[aria-label="Judge"] h2\').textContent'
         for speed in (0.1, 0.05):
@@ -144,14 +123,11 @@ class Whole(unittest.TestCase):
         self.assertTrue(studio.page.get_by_text('The plan is shown.').is_visible())
         self.assertEqual(studio.page.locator('.verdict-lines li').count(), 0)
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_another_robot_takes_the_place_in_every_page(self):
-        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
-        pages = [Page(self.browser, server.url) for _ in range(2)]
-        for studio in pages:
-            studio.ready()
+        pages = [self.open('puppy/sideways.toml'), Page(self.browser, self.server.url)]
+        self.addCleanup(pages[1].close)
+        pages[1].ready()
         pages[0].button('File').click()
         pages[0].page.get_by_role('menuitem', name='Open another…').click()
         pages[0].page.get_by_role('button', name='walk', exact=True).click()
@@ -160,12 +136,9 @@ class Whole(unittest.TestCase):
             studio.ready()
             self.assertEqual(studio.js('legwrightStudio.view.player.feet.length'), 2)
             self.assertEqual(studio.console, [])
-            studio.close()
-        server.close()
 
     def test_a_dropped_robot_is_proposed_for(self):
-        server = Server()
-        studio = Page(self.browser, server.url)
+        studio = self.open(None)
         studio.page.locator('.examples img[src]').first.wait_for()
         robot = (ROOT / 'examples/puppy/robot.xml').read_text(encoding='utf-8')
         bare = robot[: robot.index('  <custom>')] + '</mujoco>\n'
@@ -183,13 +156,9 @@ class Whole(unittest.TestCase):
         names = studio.js('legwrightStudio.store.get("document").parameters.length')
         self.assertEqual(names, proposed - 1)
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_one_goes_back_to_what_is_open_and_exports_it_with_its_verdict(self):
-        server = Server(str(ROOT / 'examples/hexapod/turning_on_the_spot.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('hexapod/turning_on_the_spot.toml')
         studio.page.get_by_text('kg, as the file has it').wait_for()
         studio.button('File').click()
         studio.page.get_by_role('menuitem', name='Open another…').click()
@@ -197,26 +166,22 @@ class Whole(unittest.TestCase):
         self.assertTrue(studio.page.locator('.workspace').is_visible())
         studio.button('File').click()
         studio.page.get_by_role('menuitem', name='Export…').click()
-        studio.page.get_by_label('Folder').fill(str(server.output / 'mine'))
+        studio.page.get_by_label('Folder').fill(str(self.server.output / 'mine'))
         studio.page.keyboard.press('Enter')
         studio.page.get_by_text('Exported: ').wait_for()
-        told = (server.output / 'mine/README.md').read_text(encoding='utf-8')
+        told = (self.server.output / 'mine/README.md').read_text(encoding='utf-8')
         self.assertRegex(told, r'- (PASS|FAIL)  tripod turning at 0\.800 rad/s')
         self.assertNotIn('not validated', told)
         studio.page.wait_for_timeout(5500)  # what is merely told goes by then
         self.assertTrue(studio.page.get_by_text('Exported: ').is_visible())
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_stop_ends_what_goes_on_in_the_background(self):
-        server = Server(str(ROOT / 'examples/quadruped/sideways.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('quadruped/sideways.toml')
         studio.workspace('Simulate')
         self.assertTrue(studio.button('Stop').is_disabled())
         studio.button('Find one that passes…').click()
-        studio.page.get_by_label('Folder').fill(str(server.output / 'found'))
+        studio.page.get_by_label('Folder').fill(str(self.server.output / 'found'))
         studio.page.keyboard.press('Enter')
         studio.until('legwrightStudio.store.get("job")?.running')
         where = studio.button('Optimise').bounding_box()
@@ -230,13 +195,9 @@ class Whole(unittest.TestCase):
         studio.until('!legwrightStudio.store.get("judge").running')
         self.assertFalse(studio.js('Boolean(legwrightStudio.store.get("judge").verdict)'))
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()
 
     def test_a_document_that_comes_late_is_not_taken_for_that_of_another_robot(self):
-        server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
-        studio = Page(self.browser, server.url)
-        studio.ready()
+        studio = self.open('puppy/sideways.toml')
         held = []
 
         def hold(route):
@@ -256,5 +217,3 @@ class Whole(unittest.TestCase):
         studio.until('legwrightStudio.store.get("document")?.name === "biped"')
         studio.ready()
         self.assertEqual(studio.console, [])
-        studio.close()
-        server.close()

@@ -388,6 +388,7 @@ export class Studio {
       body: () => bodies.findIndex((body) => body.name === name),
     };
     const body = at[kind]?.() ?? -1;
-    return { body: body > 0 ? body : 1, where: kind === "foot" ? name : undefined, words };
+    const trunk = this.view.player?.root ?? 1;
+    return { body: body > 0 ? body : trunk, where: kind === "foot" ? name : undefined, words };
   }
 }

@@ -41,6 +41,7 @@
  * @property {number} period [s]
  * @property {number} frames poses over the cycle; the first follows the last
  * @property {string[]|number} bodies
+ * @property {number=} root the trunk's body
  * @property {string} poses base64 float32 [frames][bodies][7]: position, quaternion; world
  * @property {number[]} advance [dx, dy, dyaw] of a cycle
  * @property {{name: string, body: (string|number), stance: number[]}[]} feet

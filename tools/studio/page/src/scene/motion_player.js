@@ -11,6 +11,7 @@ export class MotionPlayer {
   constructor(motion) {
     this.motion = motion;
     this.period = motion.period;
+    this.root = motion.root; // which a report does not tell
     this.frames = motion.frames;
     this.poses = floatsOf(motion.poses);
     this.bodyCount = this.poses.length / (7 * this.frames);

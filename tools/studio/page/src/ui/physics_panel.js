@@ -252,7 +252,7 @@ export class PhysicsPanel {
 
   shortPush() {
     const mass = this.studio.store.get("document").mass ?? 1;
-    this.push = { body: 1, point: [0, 0, 0], force: [0, 4 * mass, 0] };
+    this.push = { body: this.studio.view.player?.root ?? 1, point: [0, 0, 0], force: [0, 4 * mass, 0] };
     this.send({});
     setTimeout(() => {
       this.push = null;
@@ -277,7 +277,7 @@ export class PhysicsPanel {
     const pace = Number.isFinite(speed) ? `${speed.toFixed(2)} × real time` : "";
     const end = fell ? `fell after ${fell.time.toFixed(2)} s: ${fell.words}` : "";
     const plan = this.studio.view.player;
-    if (plan) this.walked.add(time, live.poses, plan.period);
+    if (plan) this.walked.add(time, live.poses, plan);
     const walks = plan && !fell ? this.walked.words(plan) : "";
     setText(this.status, [`${time.toFixed(2)} s`, pace, walks, end].filter(Boolean).join(" · "));
     this.status.classList.toggle("bad", Boolean(fell));

@@ -2,12 +2,10 @@
 // How fast a robot goes in physics, against its plan: over the last cycle, as within one its speed
 // rises and falls.
 
-const TRUNK = 7; // where its pose begins, after the world's
 const STILL = 0.01; // m/s or rad/s: a plan that is slower turns on the spot, or stands
 
-/** The yaw [rad] of a pose. */
-function yawOf(poses) {
-  const [w, x, y, z] = poses.subarray(TRUNK + 3, TRUNK + 7);
+/** The yaw [rad] of a pose: place and quaternion. */
+function yawOf([, , , w, x, y, z]) {
   return Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
 }
 
@@ -16,13 +14,14 @@ export class WalkedSpeed {
     this.samples = [];
   }
 
-  /** @param {number} time [s] @param {Float32Array} poses of world, trunk and the other bodies */
-  add(time, poses, period) {
+  /** @param {number} time [s] @param {Float32Array} poses of all bodies */
+  add(time, poses, { period, root }) {
     const last = this.samples.at(-1);
     if (last && time < last.time) this.samples = []; // it began anew
-    const at = poses.slice(TRUNK, TRUNK + 3);
-    const before = this.samples.at(-1)?.yaw ?? yawOf(poses);
-    const turned = yawOf(poses) - before;
+    const trunk = poses.slice(7 * root, 7 * root + 7);
+    const at = trunk.subarray(0, 3);
+    const before = this.samples.at(-1)?.yaw ?? yawOf(trunk);
+    const turned = yawOf(trunk) - before;
     const yaw = before + Math.atan2(Math.sin(turned), Math.cos(turned)); // goes on beyond half a turn
     this.samples.push({ time, at, yaw });
     while (this.samples.length > 2 && this.samples[1].time <= time - period) this.samples.shift();
