@@ -20,9 +20,7 @@ constexpr int kFrontPoints = 7;    // between the ends of two tasks, besides the
 constexpr int kTriangleSteps = 4;  // from corner to corner of three
 
 /// Given values, as far as bounds let them and what is frozen lets go.
-VectorXd given_of(const SessionState& state) {
-  return state.space().clamp(state.problem->robot.space.initial());
-}
+VectorXd given_of(const SessionState& state) { return state.space().clamp(state.given); }
 
 /// Costs for each thread, and how they are solved.
 class Workshop {
@@ -87,9 +85,8 @@ class Workshop {
       out.motions.push_back(task.m);
       out.values.push_back(task.value + task.outer_value);
     }
-    const VectorXd initial = state_.problem->robot.space.initial();
     for (int k = 0; k < out.s.size(); ++k)
-      if (out.s[k] != initial[k]) out.changed.push_back(k);
+      if (out.s[k] != state_.given[k]) out.changed.push_back(k);
     return out;
   }
 

@@ -10,6 +10,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/task/design_table.hpp"
 
 namespace legwright {
 
@@ -47,19 +48,24 @@ SessionEngine::SessionEngine(RobotModel robot, const std::string& text,
       std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   SessionState first;
   first.problem = problem;
+  first.given = given_body(robot_.space, problem->set.design);
+  VectorXd s = first.given;
   first.lower = robot_.space.lower();
   first.upper = robot_.space.upper();
   for (int i = 0; i < robot_.space.size(); ++i) {
     const DesignParameter& asked = problem->robot.space.parameters[i];
     first.frozen.push_back(asked.frozen());
-    if (asked.frozen()) continue;
-    first.lower[i] = asked.lower;
-    first.upper[i] = asked.upper;
+    if (asked.frozen()) {
+      s[i] = asked.initial;
+      continue;
+    }
+    first.lower[i] = std::min(asked.lower, s[i]);
+    first.upper[i] = std::max(asked.upper, s[i]);
   }
   for (int k = 0; k < problem->task_count(); ++k) first.weights.push_back(problem->task(k).weight);
   first.cold.assign(first.weights.size(), true);
   state_ = std::make_shared<const SessionState>(first);
-  first.now = guessed(first, robot_.space.initial());
+  first.now = guessed(first, s);
   state_ = std::make_shared<const SessionState>(std::move(first));
 }
 
@@ -229,10 +235,9 @@ void SessionEngine::apply(const session::Reset&) {
   next.cold.assign(next.cold.size(), true);
   next.base = nullptr;
   next.iterations = 0;
-  const VectorXd given = robot_.space.initial();
-  next.lower = next.lower.cwiseMin(given);
-  next.upper = next.upper.cwiseMax(given);
-  next.now = guessed(next, given);
+  next.lower = next.lower.cwiseMin(next.given);
+  next.upper = next.upper.cwiseMax(next.given);
+  next.now = guessed(next, next.given);
   change(std::move(next));
 }
 

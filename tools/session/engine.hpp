@@ -24,7 +24,8 @@ namespace legwright {
 class SessionEngine {
  public:
   /// Throws InputError where text, robot and tasks do not fit.
-  /// @param text of a task file; its [design] is where bounds and frozen parameters begin
+  /// @param text of a task file; its [design] is where bounds and frozen parameters begin, and says
+  ///   which body was given, from which the session sets out
   /// @param file for messages. @param threads 0: one for each task, as far as there are cores
   SessionEngine(RobotModel robot, const std::string& text, const std::filesystem::path& file,
                 int threads = 0);

@@ -22,6 +22,7 @@ struct DesignPoint {
 struct SessionState {
   std::shared_ptr<const CodesignProblem> problem;
   std::vector<double> weights;   // wᵢ of each task
+  Eigen::VectorXd given;         // the body that all changes are told from
   Eigen::VectorXd lower, upper;  // bounds of s, within the robot's
   std::vector<bool> frozen;      // of each parameter: stays where it is
   std::vector<bool> cold;        // of each task: its motion is a first guess, nothing is solved yet

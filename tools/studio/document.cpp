@@ -41,7 +41,7 @@ Json parameters_of(const SessionState& state, const std::vector<Handle>& handles
                    {"kind", to_string(one.kind)},
                    {"group", group_of(one.kind)},
                    {"value", state.s()[static_cast<Eigen::Index>(i)]},
-                   {"given", one.initial},
+                   {"given", state.given[static_cast<Eigen::Index>(i)]},
                    {"robot_lower", one.lower},
                    {"robot_upper", one.upper},
                    {"scale", scale[static_cast<Eigen::Index>(i)]},

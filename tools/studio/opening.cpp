@@ -69,17 +69,20 @@ Opening open_journal(const fs::path& journal, const fs::path& robot_file, const 
 }
 
 /// The edits that lead from the given body to a run's result.
-std::vector<SessionCommand> edits_to(const RunRecord& run) {
+std::vector<SessionCommand> edits_to(const RunRecord& run, const DesignTable& design) {
   session::Edit edit;
-  for (const ParameterRecord& one : run.parameters)
-    if (one.final != one.initial && one.lower < one.upper)
+  for (const ParameterRecord& one : run.parameters) {
+    const auto told = design.given.find(one.name);
+    const double given = told == design.given.end() ? one.initial : told->second;
+    if (one.final != given && one.lower < one.upper)
       edit.values[one.name] = std::clamp(one.final, one.lower, one.upper);
+  }
   if (edit.values.empty()) return {};
   return {edit};
 }
 
 /// The task by which a tightened gait is planned, or a note that there is none: in runs of earlier
-/// programs, or of a design that the run does not keep.
+/// programs, or of a design that the run does not keep. What is planned without it is not judged.
 void take_over_tightened(const ResultFolder& run, const RunRecord& record, Opening& out) {
   const std::string& name = record.result_name();
   const fs::path candidate = path_below(record.result_candidate()),
@@ -92,6 +95,7 @@ void take_over_tightened(const ResultFolder& run, const RunRecord& record, Openi
         name, task.string());
     return;
   }
+  out.judged.clear();
   out.note = fmt::format(
       "The gait that this run hands back is planned more strictly than its task says ({}). The "
       "Studio plans the gait of its body anew, as the task says, and MuJoCo may fail that one; "
@@ -106,13 +110,15 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
   Opening out;
   if (fs::is_regular_file(journal)) {
     out = open_journal(journal, robot, reach);
+    out.judged = folder;
   } else {
     out.file = run.inputs() / "task.toml";
     const bool stepped = record.physics_steps && record.physics_steps->changed;
+    if (!stepped) out.judged = folder;
     if (record.tightened() && !stepped) take_over_tightened(run, record, out);
     out.text = read_file(out.file);
     out.robot = read_robot(robot, reach);
-    out.commands = edits_to(record);
+    out.commands = edits_to(record, parse_task_tables(out.text, out.file).design);
   }
   out.origin = folder;
   return out;

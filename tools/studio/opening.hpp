@@ -22,6 +22,7 @@ struct Opening {
   std::vector<SessionCommand> commands;  // that lead to where it stood
   std::filesystem::path taken_up;        // a kept session that this goes on with
   std::optional<std::string> assembly;   // the text of what is assembled, in the place of a robot
+  std::filesystem::path judged;          // the run whose verdict is on what is opened
   std::string note;                      // what whoever opens it has to know; may be empty
   bool of_modules = false;               // a robot that was built of the assembly that is open
   bool proposes = false;  // a robot that declares nothing yet: what may change is to be chosen

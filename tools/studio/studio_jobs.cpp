@@ -32,10 +32,10 @@ class PassingRun {
 };
 
 /// The task file of a state whose body is that of robot.xml beside it: with the state's weights and
-/// bounds, and what is locked frozen.
+/// bounds, what is locked frozen, and the body that was given to begin with.
 std::string text_from_here(const SessionState& state) {
   const TaskSet& set = state.problem->set;
-  std::string frozen, bounds;
+  std::string frozen, bounds, given;
   for (int k = 0; k < state.s().size(); ++k) {
     const auto at = static_cast<std::size_t>(k);
     const std::string name = to_line(Json(state.problem->robot.space.parameters[at].name));
@@ -44,11 +44,20 @@ std::string text_from_here(const SessionState& state) {
     else
       bounds += fmt::format("{}{} = [{}, {}]", bounds.empty() ? "" : ", ", name, state.lower[k],
                             state.upper[k]);
+    if (state.given[k] != state.s()[k])
+      given += fmt::format("{}{} = {}", given.empty() ? "" : ", ", name, state.given[k]);
   }
   std::string text = set.joint() ? with_weights(set.text, state.weights) : set.text;
   text = with_key(text, {"robot"}, "\"robot.xml\"");
   text = with_key(text, {"design", "freeze"}, "[" + frozen + "]");
-  return with_key(text, {"design", "bounds"}, "{ " + bounds + " }");
+  text = with_key(text, {"design", "bounds"}, "{ " + bounds + " }");
+  return with_key(text, {"design", "given"}, "{ " + given + " }");
+}
+
+/// What a verdict is of.
+Json judged_json(const SessionState& state) {
+  return {{"s", std::vector<double>(state.s().begin(), state.s().end())},
+          {"task_text", state.problem->set.text}};
 }
 
 }  // namespace
@@ -86,26 +95,39 @@ Json StudioService::post_judge(const StudioRequest&) {
     play(job, run.folder());
     Json told = verdict_lines(run.folder());
     note_verdict(*record->state, told["verdict"]["word"]);
+    told["judged"] = judged_json(*record->state);
     told["done"] = told["of"] = 1;
-    const Eigen::VectorXd& s = record->state->s();
-    told["judged"] = {{"s", std::vector<double>(s.begin(), s.end())},
-                      {"task_text", record->state->problem->set.text}};
     job.tell(std::move(told), false);
   });
   return Json::object();
 }
 
+void StudioService::tell_verdict_of(const fs::path& run) {
+  Json told;
+  try {
+    told = verdict_lines(run);
+  } catch (const std::exception&) {
+    return;  // nobody judged it, or only some of its tasks
+  }
+  if (told["verdict"]["word"] == kUnknownVerdict) return;
+  const StatePointer state = workspace()->session().snapshot()->state;
+  note_verdict(*state, told["verdict"]["word"]);
+  told["judged"] = judged_json(*state);
+  told["what"] = "judge";
+  told["running"] = false;
+  hub_.publish("judge", to_line(told));
+}
+
 void StudioService::note_verdict(const SessionState& state, const std::string& word) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(judged_, [](const Judged& each) { return each.design.expired(); });
-  judged_.push_back({state.now, state.problem, word});
+  std::erase_if(judged_, [](const Judged& each) { return each.problem.expired(); });
+  judged_.push_back({state.s(), state.problem, word});
 }
 
 Json StudioService::verdict_on(const SessionState& state) const {
   const std::lock_guard lock(mutex_);
   for (auto each = judged_.rbegin(); each != judged_.rend(); ++each)
-    if (each->design.lock() == state.now && each->problem.lock() == state.problem)
-      return each->word;
+    if (each->s == state.s() && each->problem.lock() == state.problem) return each->word;
   return nullptr;
 }
 

@@ -87,7 +87,9 @@ void StudioService::open(const std::string& path) {
     hub_.notice("info", "This takes up what was left unsaved of " + asked.string() + ".");
   Opening opening = open_path(left && run ? *left : asked, paths_);
   const std::string note = opening.note;
+  const fs::path judged = opening.judged;
   take(std::move(opening));
+  if (!judged.empty()) tell_verdict_of(judged);
   if (!note.empty()) hub_.notice("info", note);
   if (left && !run)
     hub_.notice("info", fmt::format("An unsaved session of this file is left: open {} to go on "
@@ -147,7 +149,7 @@ void StudioService::take(Opening opening) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (next && opening.of_modules) began_ = next->session().snapshot()->state;
+    if (next && opening.taken_up.empty()) began_ = next->session().snapshot()->state;
     workspace_ = std::move(next);
     folder_ = std::move(folder);
     if (!opening.of_modules) {

@@ -98,6 +98,8 @@ class StudioService {
   Json post_build(const StudioRequest& request);
   Json post_bench(const StudioRequest& request);
 
+  /// Tells the verdict that stands in a run whose design has just been opened.
+  void tell_verdict_of(const std::filesystem::path& run);
   /// Remembers what a verdict says of a state, and what was said of one: null where nobody judged.
   void note_verdict(const SessionState& state, const std::string& word);
   Json verdict_on(const SessionState& state) const;
@@ -141,15 +143,15 @@ class StudioService {
   Opening opened_;
   std::optional<CarriedDesign> carried_;  // of the robot that was built of the bench last
   std::string first_text_;                // of the tasks by the size of that robot
-  /// A verdict, as long as the design that it is on is kept anywhere.
+  /// A verdict, as long as its tasks are kept anywhere.
   struct Judged {
-    std::weak_ptr<const DesignPoint> design;
+    Eigen::VectorXd s;
     std::weak_ptr<const CodesignProblem> problem;
     std::string word;
   };
   std::vector<Judged> judged_;
   StatePointer saved_;              // what was saved last
-  StatePointer began_;              // with which a robot of modules was opened
+  StatePointer began_;              // with which the robot was opened
   std::filesystem::path saved_at_;  // the run that holds it
   JobRunner judge_{hub_, "judge"}, jobs_{hub_, "job"};
 };

@@ -98,7 +98,7 @@ Json verdict_lines(const fs::path& run) {
   for (const Json& line : lines) pass = pass && line["passed"].get<bool>();
   return {{"lines", lines},
           {"verdict",
-           {{"word", !known ? "UNKNOWN"
+           {{"word", !known ? kUnknownVerdict
                      : pass ? "PASS"
                             : "FAIL"},
             {"words", words}}}};

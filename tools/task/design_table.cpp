@@ -67,6 +67,7 @@ DesignTable read_design_table(TaskTable in, Problems& problems) {
                    "[\"body_width\", \"front_*\"]");
   }
   table.bounds = in.numbers_of_names("bounds");
+  table.given = in.numbers_by_name("given");
   in.finish();
   return table;
 }
@@ -102,8 +103,25 @@ DesignSpace restricted(const DesignSpace& space, const DesignTable& table, const
       parameter.lower = parameter.upper = parameter.initial;
     }
   }
+  for (const auto& [name, value] : table.given) {
+    const std::string key = "design.given." + name;
+    const int k = find_parameter(space, name, key, problems, line(key));
+    if (k < 0) continue;
+    const DesignParameter& robots = space.parameters[k];
+    if (value < robots.lower || value > robots.upper)
+      problems.add(line(key), key,
+                   fmt::format("is {}; expected a value within the robot's bounds, {} to {}", value,
+                               robots.lower, robots.upper));
+  }
   problems.throw_if_any();
   return out;
+}
+
+Eigen::VectorXd given_body(const DesignSpace& space, const DesignTable& table) {
+  Eigen::VectorXd s = space.initial();
+  for (const auto& [name, value] : table.given)
+    if (const int k = space.find(name); k >= 0) s[k] = value;
+  return s;
 }
 
 }  // namespace legwright

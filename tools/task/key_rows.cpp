@@ -220,6 +220,9 @@ std::vector<TaskKey> keys_of_cost_and_design() {
              "parameter is an error."),
       listed("design.bounds.PARAMETER", {list_of_numbers(kBoundRange, 2)}, file, "the robot's",
              "[0.2, 0.3]", "Lower and upper, within the robot's and around its value."),
+      listed("design.given.PARAMETER", {one_number(kBoundRange)}, file, "the robot's", "0.25",
+             "What it was before somebody changed it: the Studio calls that given, where the robot "
+             "is a body on the way. A search begins from the robot's value all the same."),
   };
 }
 

@@ -67,6 +67,7 @@ struct TaskFile {
 struct DesignTable {
   std::vector<std::string> freeze;                    // names or patterns: stay as they are
   std::map<std::string, std::vector<double>> bounds;  // lower, upper, within those of the robot
+  std::map<std::string, double> given;  // what they were at first, where the robot has others now
 };
 
 /// Everything that a task file asks of one body: one task, or several under [[task]].

@@ -138,6 +138,31 @@ TEST_F(StudioProgramTest, ARunGoesOnWhereAKilledStudioLeftIt) {
   EXPECT_EQ(Browser(again.url()).settled()["s"][0], 0.07);
 }
 
+/// A run that was found from an edited body is opened: it stands, its verdict is told, and what was
+/// given is the robot as the user opened it first.
+void expect_opened_as_found(Browser& browser, const Json& run) {
+  ASSERT_EQ(browser.post("/api/open", {{"path", "found"}})["status"], 200);
+  const Json found = browser.settled(), document = browser.get("/api/document");
+  const Json& parameters = document["parameters"];
+  const auto given = [&](std::size_t k) { return parameters[k]["given"].get<double>(); };
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    EXPECT_EQ(parameters[k]["name"], run["parameters"][k]["name"]);
+    EXPECT_EQ(found["s"][k], run["parameters"][k]["final"]) << parameters[k]["name"];
+    if (parameters[k]["name"] == kThigh) {
+      EXPECT_EQ(given(k), 0.06) << "the robot's, not the one that the search began from";
+    }
+  }
+  const Json judged = browser.next("judge", [](const Json& j) { return !j["running"]; });
+  EXPECT_EQ(judged["verdict"]["word"], "PASS");
+  EXPECT_EQ(judged["judged"]["s"], found["s"]);
+  EXPECT_EQ(judged["judged"]["task_text"], document["task_text"]);
+  EXPECT_EQ(browser.get("/api/compare?a=&b=")["verdict"]["b"], "PASS");
+  browser.post("/api/command", {{"do", "freeze"}, {"names", {kThigh}}, {"frozen", false}});
+  browser.post("/api/command", {{"do", "reset"}});
+  const Json back = browser.settled();
+  for (std::size_t k = 0; k < parameters.size(); ++k) EXPECT_EQ(back["s"][k], given(k));
+}
+
 TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
   RunningStudio studio(folder_.path(), test::source_dir() + "/examples/puppy/sideways.toml");
   Browser browser(studio.url());
@@ -195,6 +220,7 @@ TEST_F(StudioProgramTest, SearchesOnWithMujocoFromTheBodyThatStands) {
     EXPECT_NEAR(values[k], parameter(name)["final"].get<double>(), 1e-12) << name;
   }
   ASSERT_EQ(browser.post("/api/export", {{"path", "mine"}, {"run", "/etc"}})["status"], 400);
+  expect_opened_as_found(browser, told);
 
   // A gait that was planned more strictly than the task says is not the one that is shown then.
   std::string text = read_file(run / "run.json");

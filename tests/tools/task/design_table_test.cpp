@@ -45,6 +45,20 @@ TEST(DesignTable, FreezesAndNarrows) {
   EXPECT_EQ(space.scale(), robot.space.scale());
 }
 
+TEST(DesignTable, KnowsTheBodyThatWasGiven) {
+  const TaskSet set = with_design("[design.given]\nbody_length = 0.2\n");
+  const RobotModel robot = read_robot(set.robot);
+  const DesignSpace space = restricted(robot.space, set.design, "test.toml", set.lines);
+  EXPECT_EQ(space.initial(), robot.space.initial()) << "a search begins where the robot is";
+  Eigen::VectorXd given = robot.space.initial();
+  given[space.find("body_length")] = 0.2;
+  EXPECT_EQ(given_body(space, set.design), given);
+  EXPECT_NE(design_error("[design.given]\nbody_widht = 0.1\n").find("is 'body_width' meant?"),
+            std::string::npos);
+  EXPECT_NE(design_error("[design.given]\nbody_width = 9.0\n").find("within the robot's bounds"),
+            std::string::npos);
+}
+
 TEST(DesignTable, FreezesWhatAPatternMeets) {
   const auto frozen = [](const std::string& list) {
     const TaskSet set = with_design("[design]\nfreeze = [" + list + "]\n");
