@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr int kMostSupports = 100;
 constexpr double kNearEnough = 1e-10;  // of the size
+constexpr double kFlat = 1e-15;        // of the product of the edges' squares
 
 /// The point of a list that lies farthest in a direction.
 const Vector3d& farthest_along(const std::vector<Vector3d>& points, const Vector3d& direction) {
@@ -42,24 +43,40 @@ class Simplex {
   std::size_t count_ = 0;
 };
 
-/// The point of the plane, line or point through some corners that is nearest to the origin, if it
-/// lies between all of them.
-bool nearest_between(const Simplex& corners, Vector3d& nearest) {
-  const auto count = static_cast<Eigen::Index>(corners.size()) - 1;
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+/// The point of the space that N edges from the first of N + 1 corners span that is nearest to the
+/// origin, if it lies between all of them.
+template <int N>
+bool nearest_by_edges(const Simplex& corners, Vector3d& nearest) {
+  Eigen::Matrix<double, 3, N> edges;
+  for (int k = 0; k < N; ++k) edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
+  using Square = Eigen::Matrix<double, N, N>;
   const Square square = edges.transpose() * edges;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> shares(count);
-  if (count > 0) {
-    const Eigen::FullPivLU<Square> factors(square);
-    if (!factors.isInvertible()) return false;
-    shares = factors.solve(-edges.transpose() * corners[0]);
-  }
-  if (count > 0 && (shares.minCoeff() < 0.0 || shares.sum() > 1.0)) return false;
+  Square inverse;
+  double determinant = 0.0;
+  bool spans_it = false;
+  square.computeInverseAndDetWithCheck(inverse, determinant, spans_it,
+                                       kFlat * square.diagonal().prod());
+  if (!spans_it) return false;
+  const Eigen::Matrix<double, N, 1> shares = inverse * (edges.transpose() * -corners[0]);
+  if (shares.minCoeff() < 0.0 || shares.sum() > 1.0) return false;
   nearest = corners[0] + edges * shares;
   return true;
+}
+
+/// The point of the solid, plane, line or point through some corners that is nearest to the origin,
+/// if it lies between all of them.
+bool nearest_between(const Simplex& corners, Vector3d& nearest) {
+  switch (corners.size()) {
+    case 1:
+      nearest = corners[0];
+      return true;
+    case 2:
+      return nearest_by_edges<1>(corners, nearest);
+    case 3:
+      return nearest_by_edges<2>(corners, nearest);
+    default:
+      return nearest_by_edges<3>(corners, nearest);
+  }
 }
 
 /// Adds a corner to a simplex between whose corners `nearest` lies, and keeps those between which

@@ -166,8 +166,8 @@ TEST(PrintBounds, OfTheTrunkLetItLieOnTheBedAndKeepItsServosApart) {
   EXPECT_LT(parameter(stays, "body_length").lower, 0.18);
 
   const auto bounds = [](const Eigen::Vector2d& bed) {
-    return std::pair(bounds_of(printed_dog(bed), "body_length").upper,
-                     bounds_of(printed_dog(bed), "body_width").upper);
+    const BuiltRobot built = build_robot(printed_dog(bed), "dog.xml");
+    return std::pair(parameter(built, "body_length").upper, parameter(built, "body_width").upper);
   };
   EXPECT_EQ(bounds({0.4, drawn + 0.004}), bounds({drawn + 0.004, 0.4}));
 
