@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/assemble/replaced_module.hpp"
 #include "tools/modules/assembly_text.hpp"
 
 namespace legwright {
@@ -73,13 +74,14 @@ void set_of_trunk(Assembly& assembly, const AssemblyItem& item, const std::strin
     return;
   }
   if (key != "size" && key != "mass") refuse_key(item, key, "name, size or mass");
-  Module& trunk = assembly.trunk;
+  Module trunk = assembly.trunk;
   if (!is_own_box(trunk))
     throw InputError(fmt::format("'{}' is of a box; the trunk is the module {}", key, trunk.name));
   if (key == "size")
     trunk.outline.front().size = vector_value(value, key);
   else
     trunk.mass = number_value(value, key);
+  replace_module(assembly, item, trunk);
 }
 
 /// Copies stand behind each other: the last as far behind the trunk's middle as the first is before

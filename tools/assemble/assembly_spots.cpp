@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/assemble/replaced_module.hpp"
 
 namespace legwright {
 namespace {
@@ -22,13 +23,6 @@ constexpr double kTaken = 0.2;   // of the trunk's length, between a hip and a f
 constexpr double kReach = 0.45;  // of the trunk's length: a new limb's first link
 constexpr double kLeastReach = 0.04, kMostReach = 0.4;  // [m]
 constexpr double kSideways = 0.5;                       // of a normal's height: less is sideways
-
-/// How far a servo's body reaches behind its horn, against its axis [m].
-double depth_of(const Module& servo) {
-  const ModuleExtent extent = extent_of(servo);
-  const Vector3d axis = servo.joint->axis;
-  return (servo.joint->position - extent.middle).dot(axis) + extent.half.dot(axis.cwiseAbs());
-}
 
 class SpotFinder {
  public:
@@ -202,7 +196,7 @@ AssemblyJoint joint_of(const AssemblyLimb& limb, const Module& servo) {
 
 /// Hip and mirror image of a limb that begins there.
 void place_limb(AssemblyLimb& limb, const AssemblySpot& spot) {
-  limb.hip = spot.at + depth_of(limb.joints.front().servo) * spot.normal;
+  limb.hip = spot.at + depth_behind_horn(limb.joints.front().servo) * spot.normal;
   limb.mirrored = std::abs(limb.hip.y()) > kInThePlane;
   limb.step.setZero();
 }
@@ -234,13 +228,6 @@ AssemblyItem insert_joint(Assembly& assembly, const AssemblySpot& spot, const Mo
   }
   limb.joints.insert(limb.joints.begin() + static_cast<std::ptrdiff_t>(k), joint);
   return spot.item;
-}
-
-void replace(Assembly& assembly, const AssemblyItem& item, const Module& module) {
-  if (item.kind == Kind::trunk) assembly.trunk = module;
-  if (item.kind == Kind::part) assembly.parts[item.index].module = module;
-  if (item.kind == Kind::foot) assembly.limbs[item.index].foot = module;
-  if (item.kind == Kind::joint) assembly.limbs[item.index].joints[item.joint].servo = module;
 }
 
 /// Its outline stands on the spot.
@@ -286,7 +273,7 @@ AssemblyItem put_module(Assembly& assembly, const std::string& id, const Module&
     case As::ride:
       return put_rider(assembly, spot, module);
     case As::replace:
-      replace(assembly, spot.item, module);
+      replace_module(assembly, spot.item, module);
   }
   return spot.item;
 }

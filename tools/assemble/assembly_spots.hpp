@@ -37,8 +37,9 @@ std::vector<AssemblySpot> assembly_spots(const Assembly& assembly);
 
 /// Puts a module there. What is behind an inserted servo stays where it is; behind the last joint
 /// the foot goes as far beyond it as it was before. A new limb stands on the trunk's face by its
-/// servo's outline, with its axis out of the trunk, and reaches down. Throws InputError for a spot
-/// that is none, or takes no module of this kind.
+/// servo's outline, with its axis out of the trunk, and reaches down. What goes along with a module
+/// of another size replace_module() says. Throws InputError for a spot that is none, or takes no
+/// module of this kind.
 /// @param foot of a new limb, where no other has one @return what was put
 AssemblyItem put_module(Assembly& assembly, const std::string& spot, const Module& module,
                         const Module& foot);

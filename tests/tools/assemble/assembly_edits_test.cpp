@@ -67,9 +67,9 @@ TEST(AssemblyEdits, KeysAreThoseOfTheFile) {
   set(dog, "limb/0/joint/1", "axis", {0.0, 0.8, 0.6});
   set(dog, "limb/0/joint/1", "range", {-1.0, 0.5});
   set(dog, "limb/0/joint/1", "name", "pitch");
+  set(dog, "trunk", "size", {0.3, 0.1, 0.05});  // hips go along with it
   set(dog, "limb/0", "hip", {0.1, 0.05, 0.01});
   set(dog, "limb/0/foot", "offset", {0.0, 0.0, -0.12});
-  set(dog, "trunk", "size", {0.3, 0.1, 0.05});
   EXPECT_EQ(dog.limbs[0].joints[1].axis, Vector3d(0.0, 0.8, 0.6));
   EXPECT_EQ((*dog.limbs[0].joints[1].range)[1], 0.5);
   EXPECT_EQ(dog.limbs[0].joints[1].name, "pitch");
