@@ -92,7 +92,7 @@ class AssemblyWriter {
     out_.add(fmt::format("<geom group=\"1\" density=\"0\"{}/>", touch));
     out_.open("<default class=\"link\">");
     out_.add(fmt::format("<geom type=\"capsule\" size=\"{}\" density=\"{}\" material=\"print\"/>",
-                         format_number(assembly_.link_radius),
+                         format_number(link_radius(assembly_)),
                          format_number(assembly_.link_density)));
     if (!placed_.empty()) {
       // What collides in the place of hulls, which nobody sees.

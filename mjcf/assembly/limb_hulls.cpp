@@ -84,7 +84,7 @@ LinkEnds link_ends(const PlacedLimb& placed, std::size_t k) {
 }
 
 LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint) {
-  return link_hulls(link_ends(limb, joint), assembly.link_radius, assembly.link_wall,
+  return link_hulls(link_ends(limb, joint), link_radius(assembly), assembly.link_wall,
                     assembly.link_clearance);
 }
 

@@ -64,6 +64,9 @@ struct Attachment {
 /// Sizes of screws that are known here, as files name them.
 inline constexpr std::array<std::string_view, 8> kScrewSizes{"M1.6", "M2", "M2.5", "M2.6",
                                                              "M3",   "M4", "M5",   "M6"};
+/// Diameters of their holes [m], with play: ISO 273, medium.
+inline constexpr std::array<double, 8> kScrewHoles{1.8e-3, 2.4e-3, 2.9e-3, 3.0e-3,
+                                                   3.4e-3, 4.5e-3, 5.5e-3, 6.6e-3};
 
 /// A module in its own frame. SI units.
 struct Module {

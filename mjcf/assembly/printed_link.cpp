@@ -25,7 +25,7 @@ Vector3d end_of_length(const LinkEnds& ends) {
 
 PrintedLink::PrintedLink(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint)
     : ends_(link_ends(limb, joint)),
-      radius_(assembly.link_radius),
+      radius_(link_radius(assembly)),
       hulls_(hulls_of_link(assembly, limb, joint).hulls),
       clearance_(assembly.link_clearance - kKeptByLinks) {
   find_what_is_near(carrier_of(assembly, limb, joint));

@@ -69,12 +69,12 @@ struct Assembly {
   double torque_share = 1.0;       // of that torque
   std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
   LinkShape link_shape = LinkShape::hull;
-  double link_radius = 0.006;        // of the hulls' pads, and of the capsules between joints [m]
-  double link_wall = 0.003;          // thickness of the pads [m]
-  double link_clearance = 0.001;     // of hulls to the servos that turn them [m]
-  double link_density = 1240.0;      // [kg/m3]
-  bool only_feet_touch = false;      // else everything that is no neighbour may
-  std::optional<PrintLimits> print;  // none: parts are not made to be printed
+  std::optional<double> link_radius;  // of pads and capsules; none: link_radius() [m]
+  double link_wall = 0.003;           // thickness of the pads [m]
+  double link_clearance = 0.001;      // of hulls to the servos that turn them [m]
+  double link_density = 1240.0;       // [kg/m3]
+  bool only_feet_touch = false;       // else everything that is no neighbour may
+  std::optional<PrintLimits> print;   // none: parts are not made to be printed
 };
 
 /// One limb of a robot: a copy, or a mirror image of one.
@@ -93,6 +93,10 @@ struct PlacedLimb {
 /// Every limb, in the order of the file; of mirror images the left one first, with L and R behind
 /// their names.
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
+
+/// Radius of the hulls' pads, and of the capsules between joints [m]: the one given, else 6 mm; of
+/// parts that are to be printed as much more as the screws of the servos need around them.
+double link_radius(const Assembly& assembly);
 
 /// Torque limit of a joint [N m]: the share of the torque that is asked for, of the stall torque
 /// where that is the continuous one and not known.

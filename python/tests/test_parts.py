@@ -134,6 +134,18 @@ def test_robots_that_are_meant_to_be_printed_pass_at_home(name, count, printed):
         assert (outline(module) ^ trunk.shape).volume() < 1e-6, f'{module.of} stands in the tray'
 
 
+def test_pads_are_by_default_as_wide_as_the_screws_need(examples, tmp_path):
+    """Of the radius that a part asks for whose pads are too small."""
+    text = (examples / 'assemblies/printed_puppy.toml').read_text(encoding='utf-8')
+    lines = [line for line in text.splitlines() if not line.startswith(('radius =', 'wall ='))]
+    assembly = tmp_path / 'plain.toml'
+    assembly.write_text('\n'.join(lines) + '\n', encoding='utf-8')
+    made = parts.make(build(assembly, tmp_path / 'plain.xml'), tmp_path / 'out')
+    assert made.passed, [check for check in made.checks if not check.passed]
+    (edge,) = (each for each in made.checks if each.name == 'edge of holes, FL_hip_servo horn')
+    assert 1.2 <= edge.figure < 1.3, 'of --wall, and no wider than rounding makes them'
+
+
 def test_an_axis_that_the_design_turned_away_from_its_servo_fails(dog, tmp_path):
     text = dog.read_text(encoding='utf-8')
     turned = text.replace(

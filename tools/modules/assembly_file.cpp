@@ -122,7 +122,7 @@ class AssemblyReader {
         refuse(link, key, "is of hulls; take it out, or let shape be \"hull\"");
     out_.link_wall = link.number("wall").value_or(out_.link_wall);
     out_.link_clearance = link.number("clearance").value_or(out_.link_clearance);
-    out_.link_radius = link.number("radius").value_or(out_.link_radius);
+    out_.link_radius = link.number("radius");
     out_.link_density = link.number("density").value_or(out_.link_density);
     link.finish();
   }

@@ -41,7 +41,7 @@ std::vector<TaskKey> keys_of_the_assembly() {
       number_key(
           "link.radius", {0.0, 0.5, true, false, "m"}, "0.006", "0.005",
           "Of a hull's round pads on horns and attachments, and of capsules, which collide in "
-          "the place of hulls."),
+          "the place of hulls. With `[print]` the default is as wide as the servos' screws need."),
       number_key("link.wall", {0.0, 0.1, true, false, "m"}, "0.003", "0.004",
                  "Thickness of those pads."),
       number_key("link.clearance", {0.0, 0.1, true, false, "m"}, "0.001", "0.002",

@@ -85,7 +85,7 @@ class AssemblyText {
     const std::string before = std::move(out_);
     out_.clear();
     if (assembly_.link_shape == LinkShape::capsule) line("shape", quoted("capsule"));
-    number_unless("radius", assembly_.link_radius, other.link_radius);
+    if (assembly_.link_radius) line("radius", format_number(*assembly_.link_radius));
     number_unless("wall", assembly_.link_wall, other.link_wall);
     number_unless("clearance", assembly_.link_clearance, other.link_clearance);
     number_unless("density", assembly_.link_density, other.link_density);
