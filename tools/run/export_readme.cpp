@@ -48,7 +48,7 @@ std::string provenance(const ExportFacts& facts) {
   out += row("its SHA-256", escaped(facts.task_sha256));
   out +=
       row("made by", "Legwright " + escaped(facts.version) + ", MuJoCo " + escaped(facts.engine));
-  out += row("the search ended", escaped(facts.status));
+  out += row("the search", escaped(facts.status));
   return out + "\nThe command was:\n\n" + code_block(facts.command);
 }
 

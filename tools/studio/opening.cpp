@@ -15,6 +15,7 @@
 #include "tools/run/run_record.hpp"
 #include "tools/session/journal.hpp"
 #include "tools/studio/kept_sessions.hpp"
+#include "tools/studio/session_names.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
@@ -121,6 +122,10 @@ Opening open_run_folder(const fs::path& folder, const FileReach& reach) {
     out.commands = edits_to(record, parse_task_tables(out.text, out.file).design);
   }
   out.origin = folder;
+  if (const std::string* file = record.files.find("robot.xml")) {
+    out.robot_file = *file;
+    out.robot->morphology.name = robot_label(record.robot, *file, *file);
+  }
   return out;
 }
 

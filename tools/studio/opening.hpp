@@ -16,6 +16,7 @@ namespace legwright {
 struct Opening {
   std::filesystem::path origin;          // what was opened
   std::string label;                     // what its robot is called in lists and names of folders
+  std::filesystem::path robot_file;      // of that robot, where the user has it
   std::optional<RobotModel> robot;       // none: only `proposes`
   std::string text;                      // of the task file
   std::filesystem::path file;            // its name, for messages

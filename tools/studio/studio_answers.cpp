@@ -307,7 +307,7 @@ Json StudioService::post_save(const StudioRequest& request) {
   const auto path = paths_.to_write(needed<std::string>(request.body, "path"));
   const bool force = request.body.value("force", false);
   const SessionRecord record = space->session().record();
-  options_.save(record, path, force);
+  save(record, path, force);
   {
     const std::lock_guard lock(mutex_);
     saved_ = record.state;

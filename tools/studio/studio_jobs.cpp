@@ -4,6 +4,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/clean_text.hpp"
 #include "tools/files/json_values.hpp"
 #include "tools/studio/session_names.hpp"
 #include "tools/studio/studio_service.hpp"
@@ -31,9 +32,9 @@ class PassingRun {
   fs::path folder_;
 };
 
-/// The task file of a state whose body is that of robot.xml beside it: with the state's weights and
+/// The task file of a state whose body is that of `robot` beside it: with the state's weights and
 /// bounds, what is locked frozen, and the body that was given to begin with.
-std::string text_from_here(const SessionState& state) {
+std::string text_from_here(const SessionState& state, const std::string& robot) {
   const TaskSet& set = state.problem->set;
   std::string frozen, bounds, given;
   for (int k = 0; k < state.s().size(); ++k) {
@@ -48,10 +49,15 @@ std::string text_from_here(const SessionState& state) {
       given += fmt::format("{}{} = {}", given.empty() ? "" : ", ", name, state.given[k]);
   }
   std::string text = set.joint() ? with_weights(set.text, state.weights) : set.text;
-  text = with_key(text, {"robot"}, "\"robot.xml\"");
+  text = with_key(text, {"robot"}, to_line(Json(robot)));
   text = with_key(text, {"design", "freeze"}, "[" + frozen + "]");
   text = with_key(text, {"design", "bounds"}, "{ " + bounds + " }");
   return with_key(text, {"design", "given"}, "{ " + given + " }");
+}
+
+/// What a page tells of a path: the folder that it is in, and its name.
+std::string short_path(const fs::path& path) {
+  return (path.parent_path().filename() / path.filename()).string();
 }
 
 /// What a verdict is of.
@@ -66,6 +72,15 @@ fs::path StudioService::scratch(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   if (!folder_) throw InputError("nothing is open; open a robot, a task file or a run first");
   return folder_->path() / name;
+}
+
+void StudioService::save(const SessionRecord& record, const fs::path& run, bool force) const {
+  SavedFrom from;
+  {
+    const std::lock_guard lock(mutex_);
+    from = {opened_.origin, opened_.robot_file};
+  }
+  options_.save(record, run, force, from);
 }
 
 /// A run's verdict at three gains, written into it.
@@ -91,7 +106,7 @@ Json StudioService::post_judge(const StudioRequest&) {
   judge_.start("judge", [this, folder, record](JobRunner& job) {
     const PassingRun run(folder);
     job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
-    options_.save(*record, run.folder(), true);
+    save(*record, run.folder(), true);
     play(job, run.folder());
     Json told = verdict_lines(run.folder());
     note_verdict(*record->state, told["verdict"]["word"]);
@@ -148,13 +163,14 @@ Json StudioService::post_optimize(const StudioRequest& request) {
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
   const fs::path folder = scratch("asked");
-  const std::string name = session_name(label(), path);
+  const std::string name = session_name(label(), path), robot = plain_name(label()) + ".xml";
   auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start("optimize", [this, path, folder, record, name](JobRunner& job) {
+  jobs_.start("optimize", [this, path, folder, record, name, robot](JobRunner& job) {
     const PassingRun run(folder);
-    options_.save(*record, run.folder(), true);
-    const fs::path task = run.folder() / "result" / "task.toml";
-    write_file(task, text_from_here(*record->state));
+    save(*record, run.folder(), true);
+    const fs::path result = run.folder() / "result", task = result / "task.toml";
+    fs::copy_file(result / "robot.xml", result / robot, fs::copy_options::skip_existing);
+    write_file(task, text_from_here(*record->state, robot));
     const bool passes = job.run("searching, with MuJoCo's verdicts",
                                 {options_.program.string(), "optimize", task.string(), "-o",
                                  path.string(), "--no-pictures", "--no-reasons", "--progress"},
@@ -163,9 +179,10 @@ Json StudioService::post_optimize(const StudioRequest& request) {
     if (passes) play_if_it_goes(job, path);  // its own verdict, for its report and export
     job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
     hub_.notice(passes ? "done" : "error",
-                fmt::format("{}: {}", path.string(),
-                            passes ? "MuJoCo passes this one"
-                                   : "no body was found that passes; this is the best one"));
+                fmt::format("{} Its folder: {}",
+                            passes ? "One that MuJoCo passes was found: open it under Verdict."
+                                   : "No body was found that passes; the best one was kept.",
+                            short_path(path)));
   });
   return {{"path", path.string()}};
 }
@@ -187,12 +204,12 @@ Json StudioService::post_report(const StudioRequest& request) {
   auto record = std::make_shared<SessionRecord>(space->session().record());
   jobs_.start("report", [this, path, record, saved](JobRunner& job) {
     const std::string program = options_.program.string();
-    if (!saved) options_.save(*record, path, false);
+    if (!saved) save(*record, path, false);
     play(job, path);
     job.run("drawing", {program, "render", path.string()});
     job.run("writing the report", {program, "report", path.string()});
     job.tell({{"words", "written"}, {"path", (path / "report.html").string()}}, false);
-    hub_.notice("done", "The report is written: " + (path / "report.html").string());
+    hub_.notice("done", "The report is written: " + short_path(path / "report.html"));
   });
   return {{"path", (path / "report.html").string()}};
 }
@@ -210,14 +227,14 @@ Json StudioService::post_export(const StudioRequest& request) {
   jobs_.start("export", [this, path, folder, record, as_it_is](JobRunner& job) {
     const PassingRun run(folder);
     if (as_it_is.empty()) {
-      options_.save(*record, run.folder(), true);
+      save(*record, run.folder(), true);
       play_if_it_goes(job, run.folder());
     }
     const fs::path& from = as_it_is.empty() ? run.folder() : as_it_is;
     job.run("exporting", {options_.program.string(), "export", from.string(), "-o", path.string()},
             1);
     job.tell({{"words", "written"}, {"path", path.string()}}, false);
-    hub_.notice("done", "Exported: " + path.string());
+    hub_.notice("done", "Exported: " + short_path(path));
   });
   return {{"path", path.string()}};
 }

@@ -84,7 +84,8 @@ void StudioService::open(const std::string& path) {
   const bool run = fs::is_regular_file(asked / "run.json");
   const auto left = left_of(kept_, asked);
   if (left && run)
-    hub_.notice("info", "This takes up what was left unsaved of " + asked.string() + ".");
+    hub_.notice("info",
+                "This takes up what was left unsaved of " + asked.filename().string() + ".");
   Opening opening = open_path(left && run ? *left : asked, paths_);
   const std::string note = opening.note;
   const fs::path judged = opening.judged;
@@ -92,9 +93,8 @@ void StudioService::open(const std::string& path) {
   if (!judged.empty()) tell_verdict_of(judged);
   if (!note.empty()) hub_.notice("info", note);
   if (left && !run)
-    hub_.notice("info", fmt::format("An unsaved session of this file is left: open {} to go on "
-                                    "with it.",
-                                    left->string()));
+    hub_.notice("info",
+                "An unsaved session of this file is left: it is under File, Open another….");
 }
 
 /// Where it fails, nothing is open any more but an assembly on its bench, and pages are told so.
@@ -138,7 +138,8 @@ void StudioService::take(Opening opening) {
     folder = kept_.begin(robot.files, origin.string(), name);
     // The session works on the copy: the file may change while somebody works.
     RobotModel copy = read_robot(folder->robot());
-    copy.morphology.name = robot.morphology.name;
+    copy.morphology.name = opening.label;
+    if (opening.robot_file.empty()) opening.robot_file = robot.file;
     leave();  // from now on nothing of what was may be told
     hub_.forget("");
     next = make_workspace(std::move(copy), *folder, opening);

@@ -23,13 +23,19 @@
 
 namespace legwright {
 
+/// What a session that is saved was opened from.
+struct SavedFrom {
+  std::filesystem::path origin, robot;  // what the user named, and the file of its robot
+};
+
 struct StudioOptions {
   std::vector<std::filesystem::path> roots;  // what pages may read and write
   std::filesystem::path state;               // of the user, where sessions are kept
   std::filesystem::path examples;            // empty: none
   std::filesystem::path program;  // `legwright`, for what is done in a process of its own
   /// Writes where a session stands as a run folder; true: in the place of one that is there.
-  std::function<void(const SessionRecord&, const std::filesystem::path&, bool)> save;
+  std::function<void(const SessionRecord&, const std::filesystem::path&, bool, const SavedFrom&)>
+      save;
   std::vector<std::string> modules{};  // folders of the user's own, beside those installed
 };
 
@@ -121,6 +127,7 @@ class StudioService {
   bool stands_in(const std::filesystem::path& run) const;
   /// A folder in that of the session.
   std::filesystem::path scratch(const std::string& name) const;
+  void save(const SessionRecord& record, const std::filesystem::path& run, bool force) const;
   void play(JobRunner& job, const std::filesystem::path& run) const;
   void play_if_it_goes(JobRunner& job, const std::filesystem::path& run);
   void tell_opened();

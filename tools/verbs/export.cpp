@@ -16,6 +16,7 @@
 #include "tools/render/portrait.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_lock.hpp"
+#include "tools/studio/session_names.hpp"
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/export_files.hpp"
 #include "tools/verbs/export_gait.hpp"
@@ -60,7 +61,9 @@ fs::path target_of(const ExportOptions& options) {
 
 /// The robot's file without .xml: none of its other files is called so, nor a scene or gait.
 std::string robot_name(const ExportedRun& from) {
-  std::string name = plain_name(from.after.morphology.name);
+  const std::string* const told = from.run.files.find("robot.xml");
+  const fs::path file = told ? *told : "";
+  std::string name = plain_name(robot_label(from.after.morphology.name, file, file));
   if (name.empty()) name = "robot";
   if (name == "scene" || name == "walk" || name.ends_with("_walk")) name += "_robot";
   return free_name(std::move(name), from.after.files);

@@ -26,11 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr int kToldConstraints = 3;  // of an infeasible plan
 
-std::string status_text(SolveStatus status, int signal) {
-  if (signal == SIGINT) return "interrupted";
-  return std::string(to_string(status));
-}
-
 /// What is on disk and known of each task when the solvers are done.
 std::vector<TaskOutcome> write_results(const ResultFolder& folder, const CodesignProblem& problem,
                                        const MultistartResult& found, const Candidate& chosen,
@@ -78,6 +73,11 @@ std::vector<EngineWarningRecord> engine_warnings(
 
 }  // namespace
 
+std::string status_text(SolveStatus status, int signal) {
+  if (signal == SIGINT) return "interrupted";
+  return std::string(to_string(status));
+}
+
 RunRecord write_start(const ResultFolder& folder, CodesignProblem& problem, bool motion_only,
                       const std::vector<std::string>& command) {
   gather(problem.robot);
@@ -101,8 +101,8 @@ bool usable(const DesignIteration& iteration) {
 }
 
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, const Candidate& chosen, bool was_to_play, int signal,
-               Recorder& recorder, RunRecord& run,
+               const MultistartResult& found, const Candidate& chosen, bool was_to_play,
+               const std::string& status, Recorder& recorder, RunRecord& run,
                const std::function<void(const std::string&)>& warn) {
   std::vector<TaskOutcome> outcomes = write_results(folder, problem, found, chosen, recorder);
   for (TaskOutcome& outcome : outcomes) {
@@ -116,7 +116,6 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
   run.engine_warnings = engine_warnings(folder, problem, warn);
-  const std::string status = status_text(found.winner().status, signal);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);
     write_task_runs(folder, problem, run, found, outcomes, recorder);

@@ -21,16 +21,19 @@ namespace legwright {
 RunRecord write_start(const ResultFolder& folder, CodesignProblem& problem, bool motion_only,
                       const std::vector<std::string>& command);
 
+/// How a search ended. @param signal that ended it, or 0
+std::string status_text(SolveStatus status, int signal);
+
 /// Whether a design has a finite motion for each task.
 bool usable(const DesignIteration& iteration);
 
 /// Writes the results of a run, and what run.json says of them. @param chosen the design that is
 /// handed back. @param was_to_play whether MuJoCo was to be asked; where run.choice is none all the
-/// same, no task is feasible. @param signal that ended the run, or 0
+/// same, no task is feasible. @param status of the run: how it ended
 /// @param warn of what the engine warns
 void write_end(const ResultFolder& folder, const CodesignProblem& problem,
-               const MultistartResult& found, const Candidate& chosen, bool was_to_play, int signal,
-               Recorder& recorder, RunRecord& run,
+               const MultistartResult& found, const Candidate& chosen, bool was_to_play,
+               const std::string& status, Recorder& recorder, RunRecord& run,
                const std::function<void(const std::string&)>& warn);
 
 /// Writes the designs beside the result that physics was asked about into candidates/, and notes

@@ -68,7 +68,8 @@ class OptimizeRun {
     Candidate chosen = optimum_of(found);
     const bool to_play = !stop_() && !options_.plan_only && usable(chosen.design);
     if (to_play) chosen = choose(found);
-    write_end(folder_, problem_, found, chosen, to_play, follower_.stop_signal(), recorder_, run_,
+    write_end(folder_, problem_, found, chosen, to_play,
+              status_text(found.winner().status, follower_.stop_signal()), recorder_, run_,
               follower_.warn);
     times_.end_of("results");
     if (usable(chosen.design)) explain(found, chosen);

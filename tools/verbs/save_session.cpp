@@ -73,12 +73,14 @@ MultistartResult found_by(const SessionState& state, const std::vector<JointTask
 
 }  // namespace
 
-void save_session(const SessionRecord& session, const std::filesystem::path& root, bool force) {
+void save_session(const SessionRecord& session, const std::filesystem::path& root, bool force,
+                  const SessionMaker& maker) {
   CodesignProblem problem = problem_of(*session.state);
   const ProblemCosts costs(problem);
   const MultistartResult found = found_by(*session.state, costs.tasks());
   const ResultFolder folder = ResultFolder::create(root, force);
-  RunRecord run = write_start(folder, problem, false, {"legwright", "session"});
+  RunRecord run = write_start(folder, problem, false, maker.command);
+  if (!maker.robot.empty()) run.files.of("robot.xml") = maker.robot.string();
   write_file(folder.inputs() / "session.jsonl", session.journal);
   Progress progress(Progress::Mode::quiet, {}, {}, {});
   Recorder recorder(folder, problem, progress, false, [] { return false; });
@@ -87,7 +89,8 @@ void save_session(const SessionRecord& session, const std::filesystem::path& roo
   recorder.iteration(only.label, only.result.initial);
   recorder.iteration(only.label, only.result.best);
   const Candidate chosen{kOptimum, only.result.best, {}, {}};
-  write_end(folder, problem, found, chosen, false, 0, recorder, run, [](const std::string&) {});
+  write_end(folder, problem, found, chosen, false, maker.status, recorder, run,
+            [](const std::string&) {});
   recorder.end(run);
   write_json(folder.run_json(), json_of(run));
   folder.stand();

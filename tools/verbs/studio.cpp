@@ -59,10 +59,17 @@ void open_browser(const std::string& url) {
       .detach();
 }
 
+void save_from_studio(const SessionRecord& record, const std::filesystem::path& run, bool force,
+                      const SavedFrom& from) {
+  save_session(
+      record, run, force,
+      {{"legwright", "studio", from.origin.string()}, "designed in the Studio", from.robot});
+}
+
 int studio(const StudioVerbOptions& options) {
   const StopSignals signals;
   StudioService studio({roots_of(options), studio_state_folder(), examples_folder(), program_file(),
-                        save_session, options.library});
+                        save_from_studio, options.library});
   if (!options.path.empty()) studio.open(fs::absolute(options.path).string());
   StudioServer server(studio, options.port);
   fmt::print("{}\n", server.url());

@@ -110,7 +110,9 @@ struct OpenStudio {
                  folder.path() / "state",
                  test::source_dir() + "/examples",
                  program,
-                 save_session}) {
+                 [](const SessionRecord& record, const auto& run, bool force, const SavedFrom&) {
+                   save_session(record, run, force);
+                 }}) {
     if (!path.empty()) service.open(path);
     server = std::make_unique<StudioServer>(service, 0);
     browser = std::make_unique<Browser>(server->url());

@@ -260,6 +260,31 @@ TEST_F(StudioProgramTest, PlansATightenedGaitAsItsSearchDid) {
   EXPECT_EQ(judged["judged"]["task_text"], planned);
 }
 
+TEST_F(StudioProgramTest, WhatIsExportedIsCalledAsTheUserCallsItAndTellsWhereItWasMade) {
+  std::string text = read_file(test::source_dir() + "/examples/puppy/robot.xml");
+  const std::string name = " model=\"puppy\"";
+  text.erase(text.find(name), name.size());
+  const std::filesystem::path robot = folder_.path() / "fire_dog.xml";
+  write_file(robot, text);
+  RunningStudio studio(folder_.path(), robot.string());
+  Browser browser(studio.url());
+  (void)browser.settled();
+  ASSERT_EQ(browser.post("/api/save", {{"path", "run"}})["status"], 200);
+  const Json run = Json::parse(std::ifstream(folder_.path() / "run" / "run.json"));
+  EXPECT_EQ(run["status"], "designed in the Studio");
+  EXPECT_EQ(run["robot"], "fire_dog");
+  EXPECT_EQ(run["argv"][1], "studio");
+  const Json asked{{"path", "mine"}, {"run", (folder_.path() / "run").string()}};
+  ASSERT_EQ(browser.post("/api/export", asked)["status"], 200);
+  const Json exported = browser.next("job", [](const Json& j) { return !j["running"]; });
+  EXPECT_EQ(exported.value("failed", ""), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "mine" / "fire_dog.xml"));
+  const std::string readme = read_file(folder_.path() / "mine" / "README.md");
+  for (const char* told : {"| robot | fire\\_dog.xml |", "| the search | designed in the Studio |",
+                           "    legwright studio fire_dog.xml"})
+    EXPECT_NE(readme.find(told), std::string::npos) << told << "\n" << readme.substr(0, 900);
+}
+
 TEST_F(StudioProgramTest, JudgesReportsAndExportsWhatStands) {
   RunningStudio studio(folder_.path(), test::source_dir() + "/examples/quadruped/crawl.toml");
   Browser browser(studio.url());

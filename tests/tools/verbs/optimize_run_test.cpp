@@ -136,7 +136,7 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   save_session(record, root.path() / "run", false);
   const ResultFolder folder = ResultFolder::open(root.path() / "run");
   const Json run = read_json(folder.run_json());
-  EXPECT_EQ(run["status"], "stopped");
+  EXPECT_EQ(run["status"], "designed in a session");
   EXPECT_EQ(run["parameters"][0]["final"].get<double>(), record.state->s()[0]);
   EXPECT_NEAR(run["final_F"].get<double>(), record.state->value(), 1e-6 * record.state->value());
   EXPECT_TRUE(fs::is_regular_file(root.path() / "run/tasks/pace/result/scene.xml"));
