@@ -7,27 +7,13 @@
 #include <vector>
 
 #include "tools/run/task_folders.hpp"
+#include "tools/studio/plain_words.hpp"
 #include "tools/studio/verdict_marks.hpp"
 
 namespace legwright {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string value_words(const LimitRow& row) {
-  const std::string unit = row.unit == "1" || row.unit.empty() ? "" : " " + row.unit;
-  std::string words = row.what + ": " +
-                      (row.value ? fmt::format("{:.3g}{}", *row.value, unit)
-                                 : std::string("could not be measured"));
-  if (!row.where.empty()) words += " at " + row.where;
-  if (row.low && row.high)
-    words += fmt::format(" ({:.3g} to {:.3g} passes)", *row.low, *row.high);
-  else if (row.high)
-    words += fmt::format(" (at most {:.3g})", *row.high);
-  else if (row.low)
-    words += fmt::format(" (at least {:.3g})", *row.low);
-  return words + failing_parts(row);
-}
 
 struct Moment {
   double time = 0.0;   // [s]
@@ -71,7 +57,8 @@ bool add_lines(const fs::path& folder, int task, const std::string& name, Json& 
 Json verdict_line(const LimitRow& row, const std::optional<MetricsRecord>& metrics, int task,
                   const std::string& name) {
   const auto moment = metrics ? moment_of(row, *metrics) : std::nullopt;
-  return {{"words", (name.empty() ? "" : name + ": ") + value_words(row)},
+  return {{"words", (name.empty() ? "" : name + ": ") + plain_words_of(row) + failing_parts(row)},
+          {"term", term_of(row)},
           {"name", row.name},
           {"passed", row.pass},
           {"marks", marks_of(row, metrics)},

@@ -14,8 +14,8 @@ namespace legwright {
 /// The word where a verdict is of another result.
 inline constexpr const char* kUnknownVerdict = "UNKNOWN";
 
-/// A row of a verdict as a page tells it: {words, passed, marks, numbers, moment}. @param task its
-/// number @param name of one of several tasks, else empty
+/// A row of a verdict as a page tells it: {words, term, passed, marks, numbers,
+/// moment}. @param task its number @param name of one of several tasks, else empty
 Json verdict_line(const LimitRow& row, const std::optional<MetricsRecord>& metrics, int task,
                   const std::string& name);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "tools/run/worst_words.hpp"
+#include "tools/studio/plain_words.hpp"
 
 namespace legwright {
 namespace {
@@ -82,7 +83,7 @@ Json marks_of(const LimitRow& row, const std::optional<MetricsRecord>& metrics) 
     out.push_back({{"kind", part.kind}, {"name", part.name}, {"words", said_of(part, row)}});
   if (!out.empty() || row.pass || !metrics) return out;
   std::string words = said_of_trunk(row, *metrics);
-  if (words.empty() && row.value) words = fmt::format("{}: {:.3g}", row.what, *row.value);
+  if (words.empty() && row.value) words = plain_value_of(row);
   if (!words.empty()) out.push_back({{"kind", "trunk"}, {"name", ""}, {"words", words}});
   return out;
 }

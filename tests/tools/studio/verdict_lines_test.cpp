@@ -25,14 +25,21 @@ TEST(VerdictLines, ServosAtTheirLimitsAreNamedMarkedAndShown) {
   row.worst = {{"joint", "FL_knee", 0.12, 0.6}, {"joint", "FR_knee", 0.11, 0.7}};
   const Json line = line_of(row);
   EXPECT_EQ(line["words"],
-            "share of the time with any servo at its limit: 0.13 at double gains (at most 0.001); "
+            "time with a servo at its torque limit: 13 % at double gains (at most 0.1 %); "
             "worst FL_knee (12 %) and FR_knee (11 %)");
+  EXPECT_EQ(line["term"], "saturated_share: share of the time with any servo at its limit");
   EXPECT_EQ(line["moment"]["time"], 0.6);
   ASSERT_EQ(line["marks"].size(), 2U);
   EXPECT_EQ(line["marks"][0],
             Json({{"kind", "joint"},
                   {"name", "FL_knee"},
                   {"words", "FL_knee: servo at its limit for 12 % of the time"}}));
+}
+
+TEST(VerdictLines, AnglesAreToldInDegreesToo) {
+  const LimitRow row{"tilt", "largest tilt of the trunk", "rad", {}, 0.35, 0.62, "half gains"};
+  EXPECT_EQ(line_of(row)["words"],
+            "largest tilt of the trunk: 0.62 rad (36°) at half gains (at most 0.35 rad (20°))");
 }
 
 TEST(VerdictLines, BodiesThatTouchAreBothMarked) {
@@ -64,9 +71,8 @@ TEST(VerdictLines, WhatFailsOverAWholeWalkIsShownToTheEndOfTheWalkAtThoseGains) 
   const Json line = line_of(row);
   EXPECT_EQ(line["moment"], Json({{"task", 0}, {"time", 20.0}, {"whole", true}}));
   EXPECT_EQ(line["marks"],
-            Json::array({{{"kind", "trunk"},
-                          {"name", ""},
-                          {"words", "measured over planned speed, along its heading: 0.8"}}}));
+            Json::array(
+                {{{"kind", "trunk"}, {"name", ""}, {"words", "speed, of the planned one: 80 %"}}}));
   row.pass = true;
   EXPECT_TRUE(line_of(row)["moment"].is_null());
   EXPECT_TRUE(line_of(row)["marks"].empty());
