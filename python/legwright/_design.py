@@ -141,8 +141,8 @@ class Design:
 
     @property
     def status(self) -> str:
-        """How the search ended: "converged", "stalled", "iteration_limit", "stopped"; "designed in a
-        session" or "designed in the Studio" where somebody saved it there."""
+        """How the search ended: "converged", "stalled", "iteration_limit", "stopped"; "designed in
+        a session" or "designed in the Studio" where somebody saved it there."""
         return str(self.record['status'])
 
     @property

@@ -12,6 +12,7 @@ import unittest
 
 from assembling import Assembling  # noqa: F401
 from editing import Editing  # noqa: F401
+from new_users import NewUsers  # noqa: F401
 from other_designs import OtherDesigns  # noqa: F401
 from studio_browser import ROOT, Page, Server, browser, chromium
 from tablet import Tablet  # noqa: F401
@@ -307,7 +308,9 @@ class Studio(unittest.TestCase):
         table = self.studio.page.locator('.compared')
         table.wait_for()
         self.assertIn('body length [m]', table.inner_text())
-        self.assertIn('not judged', table.inner_text())
+        self.assertIn('none', table.inner_text())
+        shown = 'document.querySelector(".compared").getBoundingClientRect().top < innerHeight - 60'
+        self.studio.until(shown)
         self.assertTrue(self.studio.js('legwrightStudio.view.ghost.root.visible'))
         self.studio.button('Beside').click()
         view = 'legwrightStudio.view'

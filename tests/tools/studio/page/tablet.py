@@ -201,8 +201,8 @@ class Tablet(OwnStudio):
             title = studio.page.get_by_role('heading', name='Cost F')
             studio.page.touchscreen.tap(*self.middle(title))
             told.get_by_text('F sums up how far').wait_for()
-            studio.button('Keys (?)').tap()
-            studio.page.get_by_role('dialog', name='Fingers').wait_for()
+            studio.button('How to, and keys (?)').tap()
+            studio.page.get_by_role('dialog', name='How to').wait_for()
             self.assertFalse(told.is_visible())
         self.assertEqual(studio.console, [])
 

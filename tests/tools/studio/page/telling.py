@@ -50,9 +50,10 @@ class Telling(OwnStudio):
     def test_what_fails_over_a_whole_walk_is_shown_at_its_end(self):
         studio = self.open('puppy/sideways.toml')
         studio.workspace('Simulate')
-        said = 'measured over planned speed, along its heading: 0.8'
+        said = 'speed, of the planned one: 80 %'
         line = {
-            'words': said + ' at double gains (0.95 to 1.05 passes)',
+            'words': said + ' at double gains (95 % to 105 % passes)',
+            'term': 'speed_ratio: measured over planned speed, along its heading',
             'passed': False,
             'marks': [{'kind': 'trunk', 'name': '', 'words': said}],
             'numbers': {'gains': 'double gains'},
@@ -63,6 +64,7 @@ class Telling(OwnStudio):
               running: false, verdict: {word: 'FAIL', words: 'FAIL  walk'}, lines: [line]})""",
             line,
         )
+        self.assertTrue(studio.page.get_by_title(line['term']).is_visible())
         studio.button('Show the walk').click()
         studio.until('legwrightStudio.physics.held')
         label = studio.page.locator('.workspace .mark-label:visible')
@@ -231,7 +233,7 @@ class Telling(OwnStudio):
     def test_words_are_those_of_people(self):
         studio = self.open('puppy/sideways.toml')
         studio.js('legwrightStudio.selection.set(["front_thigh_length"])')
-        studio.page.get_by_text('slope of the cost F (dF/ds): ').wait_for()
+        studio.page.get_by_text('slope of the cost: ').wait_for()
         told = studio.js(
             """() => [...document.querySelectorAll("#app, #app *")].flatMap((each) => [
               ...(each.id === "app" ? [each.textContent] : []),

@@ -4,6 +4,9 @@
 // a picture costs where GL runs on the processor.
 import { LineBasicMaterial, MeshBasicMaterial, MeshLambertMaterial } from "three";
 
+/** What dark colours are lifted by, so that they are seen on a dark ground; 0 on a light one. */
+export const lift = { value: 0 };
+
 const LIT = /* glsl */ `
   vec3 n = normalize(normalMatrix * normal);
   vec3 light = ambientLightColor;
@@ -15,7 +18,10 @@ const LIT = /* glsl */ `
     for (int i = 0; i < NUM_DIR_LIGHTS; i++)
       light += saturate(dot(n, directionalLights[i].direction)) * directionalLights[i].color;
   #endif
-  paint = emissive + diffuse * RECIPROCAL_PI * light;`;
+  float edge = 1.0 - abs(n.z);
+  float dark = clamp(1.0 - 8.0 * max(diffuse.r, max(diffuse.g, diffuse.b)), 0.0, 1.0);
+  vec3 tint = diffuse + lift * dark * (1.0 + 2.0 * edge * edge);
+  paint = emissive + tint * RECIPROCAL_PI * light;`;
 
 const FOG = /* glsl */ `
 #ifdef USE_FOG
@@ -34,7 +40,7 @@ uniform vec3 diffuse;
 varying vec3 paint;
 #include <common>
 #include <colorspace_pars_fragment>
-${lit ? "uniform vec3 emissive;\n#include <lights_pars_begin>" : ""}
+${lit ? "uniform vec3 emissive;\nuniform float lift;\n#include <lights_pars_begin>" : ""}
 ${long ? "varying float depth;" : FOG}
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
@@ -60,6 +66,7 @@ void main() {
 const painted = (Material, { lit = false, long = false } = {}) =>
   class extends Material {
     onBeforeCompile(shader) {
+      if (lit) shader.uniforms.lift = lift;
       shader.vertexShader = vertexShader(lit, long);
       shader.fragmentShader = fragmentShader(long);
     }

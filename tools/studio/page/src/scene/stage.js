@@ -17,6 +17,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Ground } from "./ground.js";
+import { lift } from "./paint.js";
 
 const EVERY = 28; // ms between pictures in software: every other of a screen's
 const SLOW = 42; // ms between pictures in software, on average of so many, from which on they
@@ -25,8 +26,8 @@ const COARSE = 0.75; // pixels for one of the page, then
 const HELD = 0.5; // the same while a hand moves the body: each step takes the server's time, too
 const REST = 350; // ms without a change after which a picture is drawn finely
 const PALETTE = {
-  light: { sky: 0xe9ecf0, line: 0xb9c1ca, minor: 0xd5dae0, ambient: 1.15 },
-  dark: { sky: 0x1a1e23, line: 0x3c4550, minor: 0x2a3038, ambient: 1.9 },
+  light: { sky: 0xe9ecf0, line: 0xb9c1ca, minor: 0xd5dae0, ambient: 1.15, lift: 0 },
+  dark: { sky: 0x1a1e23, line: 0x3c4550, minor: 0x2a3038, ambient: 1.9, lift: 0.07 },
 };
 
 /** Whether GL runs on the processor, where every pixel counts. */
@@ -113,6 +114,7 @@ export class Stage {
     this.scene.background = new Color(palette.sky);
     this.scene.fog.color.set(palette.sky);
     this.ambient.intensity = 0.5 * palette.ambient;
+    lift.value = palette.lift;
     this.ground.setColours(palette);
     this.touch();
   }

@@ -29,7 +29,7 @@ export class JudgePanel {
       "button",
       {
         type: "button",
-        title: "legwright optimize from this body: of many designs the best that MuJoCo passes",
+        title: "Searches on from this body: of many designs the best that MuJoCo passes (optimize)",
         onClick: () => studio.optimize(),
       },
       "Find one that passes…",
@@ -128,12 +128,12 @@ export class JudgePanel {
     return this.studio.open(() => post("/api/open", { path: this.path }));
   }
 
-  line({ words, passed, moment, numbers, marks }) {
+  line({ words, term, passed, moment, numbers, marks }) {
     return h(
       `li.${passed ? "good" : "bad"}`,
       {},
       h("span.sign", { aria: { hidden: "true" } }, passed ? "✓" : "✗"),
-      h("span", {}, h("span.unseen", {}, passed ? "passed: " : "failed: "), words),
+      h("span", { title: term }, h("span.unseen", {}, passed ? "passed: " : "failed: "), words),
       moment
         ? h(
             "button.link",

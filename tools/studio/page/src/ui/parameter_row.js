@@ -185,8 +185,8 @@ export class ParameterRow {
     this.bar.style.left = share > 0 ? `${(50 - width).toFixed(1)}%` : "50%";
     const { unit } = this.parameter;
     this.gradient.title = known
-      ? `The cost F falls to the ${gradient > 0 ? "left" : "right"}: slope (dF/ds) ${significant(gradient, 3)} per ${unit}`
-      : "The slope of the cost F (dF/ds) is not known while motions are predicted";
+      ? `The cost falls to the ${gradient > 0 ? "left" : "right"}: its slope is ${significant(gradient, 3)} per ${unit} (gradient, dF/ds)`
+      : "The slope of the cost is not known while motions are predicted (gradient, dF/ds)";
     if (this.slope) setText(this.slope, known ? `${significant(gradient, 3)} per ${unit}` : "–");
   }
 
@@ -226,7 +226,7 @@ export class ParameterRow {
         h("label", {}, " to ", this.high),
         h("span.unit", {}, parameter.unit),
       ),
-      h("div.bounds", {}, "slope of the cost F (dF/ds): ", this.slope),
+      h("div.bounds", { title: "Gradient, dF/ds" }, "slope of the cost: ", this.slope),
       h(
         "button.small",
         {

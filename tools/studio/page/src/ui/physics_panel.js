@@ -21,6 +21,7 @@ export class PhysicsPanel {
   constructor(studio) {
     this.studio = studio;
     this.values = Object.fromEntries(SLIDERS.map(({ key, value }) => [key, value]));
+    this.taken = {}; // of the task
     this.walked = new WalkedSpeed();
     this.addButtons();
     this.addCurves();
@@ -30,6 +31,7 @@ export class PhysicsPanel {
       { aria: { label: "Physics" } },
       h("h2", {}, "Physics"),
       h("div.button-row", {}, this.run, this.goOn, this.reset, this.pushing, this.nudge),
+      this.pushHint,
       this.status,
       h(
         "div.sliders",
@@ -78,6 +80,7 @@ export class PhysicsPanel {
       },
       "Push",
     );
+    this.pushHint = h("p.hint", { hidden: true });
     this.nudge = h(
       "button",
       { type: "button", title: "A short push from the side", onClick: () => this.shortPush() },
@@ -128,7 +131,7 @@ export class PhysicsPanel {
     return h("label.slider-row", {}, h("span", {}, label), input, output);
   }
 
-  /** Friction and slope begin as the task has them. */
+  /** Friction and slope are the task's, until a hand sets them or the task has others. */
   takeTask({ tasks }) {
     const task = tasks?.[this.studio.store.get("task") ?? 0];
     if (!task || this.running) return;
@@ -136,8 +139,8 @@ export class PhysicsPanel {
       ["friction", task.floor_friction],
       ["slope", task.slope?.[0]],
     ]) {
-      if (!Number.isFinite(value)) continue;
-      this.values[key] = value;
+      if (!Number.isFinite(value) || value === this.taken[key]) continue;
+      this.taken[key] = this.values[key] = value;
       this.inputs[key].input.valueAsNumber = value;
       this.inputs[key].tell();
     }
@@ -183,6 +186,7 @@ export class PhysicsPanel {
     this.push = this.until = this.plotKey = this.names = null;
     this.starting = this.again = false;
     this.times = [];
+    this.taken = {};
     this.forces.hidden = true;
     for (const { key, value } of SLIDERS) {
       this.values[key] = this.inputs[key].input.valueAsNumber = value;
@@ -226,6 +230,7 @@ export class PhysicsPanel {
       running ? "Back to the plan" : "Play in MuJoCo",
     );
     for (const each of [this.reset, this.pushing, this.nudge]) each.disabled = !running;
+    this.pushHint.hidden = !running;
     if (!running) {
       setText(this.status, "The plan is shown.");
       this.status.classList.remove("bad");
@@ -236,6 +241,12 @@ export class PhysicsPanel {
   togglePush(on = !this.studio.pointer?.pushing) {
     if (this.studio.pointer) this.studio.pointer.pushing = on;
     this.pushing.setAttribute("aria-pressed", String(on));
+    setText(
+      this.pushHint,
+      on
+        ? "Drag on the robot: it is pushed that way, the harder the farther. Push again to turn the camera."
+        : "Shift and drag on the robot pushes it; Push does so without shift.",
+    );
   }
 
   /** @param {?{body: number, at: number[], along: import("three").Vector3}} pushed by the pointer */

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys for everything that a pointer does, and the list of them.
+// Keys for everything that a pointer does, and the list of them, below the way from a robot to one
+// that walks.
 import { h } from "../dom.js";
 import { openDialog } from "./dialogs.js";
+
+const WAY = [
+  ["Open", "drop a robot's files on the first page (File, Open another…), or take an example"],
+  ["Ask", "Simulate, at the left: Walk, Sideways, Faster, a speed, a payload, a slope"],
+  ["Optimise", "at the top; a lock in the list (Design, at the left) keeps a length or an angle"],
+  ["Judge", "Simulate, at the right: MuJoCo plays the gait. FAIL? Find one that passes…"],
+  ["Export…", "under File, at the top left: the robot and its gait, for MuJoCo as it comes"],
+];
 
 const LIST = [
   ["space", "play or pause the motion"],
@@ -18,7 +27,7 @@ const LIST = [
   ["1 2 3 4", "camera: corner, side, front, top"],
   ["D, S", "workspace: design, simulate"],
   ["ctrl s", "save"],
-  ["?", "this list"],
+  ["?", "this page"],
 ];
 
 const FINGERS = [
@@ -29,6 +38,13 @@ const FINGERS = [
   ["a slider", "sideways moves it; up and down scrolls"],
   ["rest on a button or a figure", "says what it is"],
 ];
+
+const way = () =>
+  h(
+    "ol.way",
+    {},
+    WAY.map(([name, words]) => h("li", {}, h("strong", {}, name), ` – ${words}`)),
+  );
 
 const table = (list) =>
   h(
@@ -47,9 +63,15 @@ export function showShortcuts() {
   const close = h("button.primary", { type: "button", onClick: () => dialog.close() }, "Close");
   const touched = matchMedia("(pointer: coarse)").matches;
   const dialog = openDialog(
-    touched ? "Fingers" : "Keys",
-    touched ? [table(FINGERS), h("h3", {}, "Keys")] : [],
-    table(LIST),
+    "How to",
+    h(
+      "div.help",
+      {},
+      way(),
+      touched ? [h("h3", {}, "Fingers"), table(FINGERS)] : [],
+      h("h3", {}, "Keys"),
+      table(LIST),
+    ),
     h("div.actions", {}, close),
   );
 }

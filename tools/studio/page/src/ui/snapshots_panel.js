@@ -119,7 +119,8 @@ export class SnapshotsPanel {
       this.shown = { design, motion, name };
       studio.view.setGhost(this.shown, { beside: this.beside });
     });
-    this.compare();
+    await this.compare();
+    if (this.ghost === name) this.element.scrollIntoView({ block: "start" });
   }
 
   compareSoon() {

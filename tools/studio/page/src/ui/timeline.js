@@ -3,11 +3,13 @@
 // a run in physics all of it instead, to be scrubbed. Knows the scene alone, so a report has it, too.
 import { fill, h, icon, setText, svg } from "../dom.js";
 import { atMost, calmly } from "./rate.js";
+import { RunCycles } from "./run_cycles.js";
 
 const ROW = 9; // of the drawing's units
 const FAULTS = 4; // of what is wrong with no foot
 const TRACK = 48; // px, of the whole drawing at least
 const LABEL = 11; // px, of a foot's name
+const TICKS = 12; // px, of the numbers of a run's cycles
 const STANDS = 0.02; // of the weight, from which on a foot in physics stands
 const SPEEDS = [1, 0.5, 0.25, 0.1];
 
@@ -38,13 +40,14 @@ export class Timeline {
       onKeydown: (event) => this.key(event),
     });
     this.labels = h("div.foot-names");
+    this.ticks = h("div.ticks", { aria: { hidden: "true" } });
     this.element = h(
       "div.timeline",
       { role: "group", aria: { label: "Timeline" } },
       this.play,
       this.speed,
       this.labels,
-      h("div.track", {}, this.drawing, this.head, this.slider),
+      h("div.track", {}, this.drawing, this.ticks, this.head, this.slider),
       this.clock,
     );
     this.drawRunSoon = atMost(250, () => this.run && this.drawRun());
@@ -154,30 +157,46 @@ export class Timeline {
   drawRun() {
     const { recording, player } = this.view;
     if (!player || !recording.frames.length) return;
-    const key = `${recording.begin} ${recording.end}`;
+    const cycles = new RunCycles(recording, player.period);
+    const key = `${recording.begin} ${recording.end} ${cycles.many ? cycles.present : ""}`;
     if (key === this.drawnKey) return;
     this.drawnKey = key;
     const feet = recording.frames[0].feet;
-    this.drawing.setAttribute("viewBox", `0 0 1000 ${Math.max(1, feet.length) * ROW + FAULTS}`);
-    const bars = recording
-      .stances(STANDS * (player.weight ?? 0))
-      .flatMap((spans, i) => spans.map(([a, b]) => bar("stance", a, b, i * ROW + 1, ROW - 2)));
+    const rows = Math.max(1, feet.length) * ROW;
+    this.drawing.setAttribute("viewBox", `0 0 1000 ${rows + FAULTS}`);
+    const stances = recording.stances(STANDS * (player.weight ?? 0));
+    const row = (kind) => (spans, i) =>
+      spans.map(([a, b]) => bar(kind, a, b, i * ROW + 1, ROW - 2));
+    const ticks = cycles.ticks();
+    const bars = [
+      ...(cycles.many ? stances.map((spans) => cycles.joined(spans)).flatMap(row("walked")) : []),
+      ...ticks.map(({ at }) => bar("tick", at, at + 0.0015, 0, rows)),
+      ...stances.map((spans) => cycles.shown(spans)).flatMap(row("stance")),
+    ];
+    fill(
+      this.ticks,
+      ticks.map(({ at, number }, i) =>
+        h("span", { style: { left: `${100 * at}%` } }, i ? `${number}` : `cycle ${number}`),
+      ),
+    );
     const { fell } = recording.frames.at(-1);
     const from = fell ? (fell.time - recording.begin) / recording.seconds : 1;
     if (from < 1) bars.push(bar("fault", Math.max(0, from), 1, feet.length * ROW + 1, FAULTS - 1));
     fill(this.drawing, bars);
-    this.nameFeet(feet, true);
+    this.nameFeet(feet, true, TICKS);
   }
 
-  nameFeet(feet, others) {
+  /** @param {number} below px that the rows leave free for what is told of the run */
+  nameFeet(feet, others, below = 0) {
     fill(
       this.labels,
       feet.map((foot) => h("span", {}, foot.name)),
     );
     const height = Math.max(1, feet.length) * ROW + (others ? FAULTS : 0);
     const tall = Math.max(TRACK, LABEL * feet.length);
-    this.element.style.setProperty("--track", `${tall}px`);
-    this.labels.style.paddingBottom = others ? `${(tall * FAULTS) / height}px` : "0";
+    this.element.style.setProperty("--track", `${tall + below}px`);
+    const free = (others ? (tall * FAULTS) / height : 0) + below;
+    this.labels.style.paddingBottom = `${free}px`;
   }
 
   draw(player) {

@@ -98,7 +98,7 @@ export class Workspace {
       h("div.segmented", { role: "group", aria: { label: "History" } }, this.undo, this.redo),
       this.connection,
       iconButton("sun", "Light or dark", switchTheme),
-      iconButton("help", "Keys (?)", showShortcuts),
+      iconButton("help", "How to, and keys (?)", showShortcuts),
     );
   }
 
