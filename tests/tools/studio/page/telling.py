@@ -241,7 +241,7 @@ class Telling(OwnStudio):
             ]).filter(Boolean)"""
         )
         text = '\n'.join(told)
-        for shown in ('slope of the cost F', 'slip of stance feet', 'What the cost F consists of'):
+        for shown in ('slope of the cost: ', 'slip of stance feet', 'What the cost F consists of'):
             self.assertIn(shown, text)  # so texts, titles and names are looked through
         for odd in ('fall of F', 'misfit', 'terms of F', 'undefined', 'NaN', '[]'):
             self.assertNotIn(odd, text)
