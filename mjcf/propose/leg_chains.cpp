@@ -2,6 +2,7 @@
 #include "mjcf/propose/leg_chains.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,8 @@ using Eigen::Vector3d;
 
 constexpr double kOneBuild = 0.25;     // of the length: legs of one build
 constexpr double kHangsHigher = 0.4;   // of the length, above the lowest: an arm
+constexpr double kInTheMiddle = 0.05;  // of the hips' spread: on the trunk's middle line
+constexpr double kUpInTheAir = 0.25;   // of the length, above the lowest end: no foot as drawn
 constexpr double kOffEnds = 0.05;      // of a range, at both of its ends
 constexpr double kFarthestTurn = 2.6;  // from rest, of joints without range [rad]
 
@@ -96,6 +99,46 @@ double length_of_chain(const mjModel& model, const mjData& data, const SearchedL
   return length + (colliding > 0.0 ? colliding : drawn);
 }
 
+/// Whether a chain of one build with legs is a tail or a neck: alone on a middle line of the trunk,
+/// it ends up in the air where theirs do not.
+class TailFinder {
+ public:
+  TailFinder(const mjModel& model, int trunk, const mjData& data,
+             const std::vector<SearchedLeg>& legs)
+      : lowest_(std::numeric_limits<double>::infinity()) {
+    for (const SearchedLeg& leg : legs) {
+      hips_.push_back(Vector3d::Map(data.xanchor + std::ptrdiff_t{3} * leg.joints.front()) -
+                      Vector3d::Map(data.xpos + std::ptrdiff_t{3} * trunk));
+      ends_.push_back(leg.touch(model, data).z());
+      lowest_ = std::min(lowest_, ends_.back());
+      for (const Vector3d& hip : hips_)
+        spread_ = std::max(spread_, (hip - hips_.back()).head<2>().norm());
+    }
+  }
+
+  /// @param length of the chain [m]
+  bool is_tail(std::size_t chain, double length) const {
+    if (ends_[chain] - lowest_ <= kUpInTheAir * length) return false;
+    for (const int across : {0, 1})
+      if (is_in_the_middle(chain, across) && alone_there(chain, across)) return true;
+    return false;
+  }
+
+ private:
+  bool is_in_the_middle(std::size_t chain, int across) const {
+    return std::abs(hips_[chain][across]) <= kInTheMiddle * spread_;
+  }
+  bool alone_there(std::size_t chain, int across) const {
+    for (std::size_t other = 0; other < hips_.size(); ++other)
+      if (other != chain && is_in_the_middle(other, across)) return false;
+    return true;
+  }
+
+  std::vector<Vector3d> hips_;  // from the trunk [m]
+  std::vector<double> ends_;    // heights [m]
+  double lowest_, spread_ = 0.0;
+};
+
 }  // namespace
 
 std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, const mjData& data) {
@@ -127,9 +170,11 @@ std::vector<SearchedLeg> legs_of_one_build(const mjModel& model, int trunk, cons
         (group.size() == best.size() && !best.empty() && lengths[k] > lengths[best.front()]))
       best = std::move(group);
   }
-  std::vector<SearchedLeg> legs;
-  legs.reserve(best.size());
-  for (const std::size_t k : best) legs.push_back(chains[k]);
+  std::vector<SearchedLeg> alike, legs;
+  for (const std::size_t k : best) alike.push_back(chains[k]);
+  const TailFinder tails(model, trunk, data, alike);
+  for (std::size_t k = 0; k < best.size(); ++k)
+    if (!tails.is_tail(k, lengths[best[k]])) legs.push_back(alike[k]);
   return legs;
 }
 

@@ -19,7 +19,8 @@ using Eigen::VectorXd;
 
 constexpr int kChordSteps = 8;
 constexpr double kChordGain = 0.5;  // a step that leaves more of G is the last
-constexpr double kRounding = 30.0;  // × tolerance: so much of G may be rounding
+constexpr double kUnseen = 1e-6;    // of the gradient: what is left to fall changes no difference
+constexpr double kLeastLargest = 1e-3;  // at a minimum there is nothing left to compare with
 
 class TaskProof {
  public:
@@ -76,11 +77,11 @@ class TaskProof {
 
   /// Chord method: Newton's steps with the factor at the unmoved design, which lies so near that
   /// one or two bring the motion to rest. It only asks for G, a fraction of the price of ∂G/∂m.
-  /// Stiff terms may keep G above the tolerance by rounding alone: where it no longer falls, but is
-  /// as small as the minimum's own, the motion rests too.
+  /// Stiff terms may keep G above the tolerance by rounding alone: where it no longer falls, the
+  /// motion rests if what F can still fall by, ½ Gᵀ(∂G/∂m)⁻¹G, would not be seen in the difference.
   bool rest_by_chord(const VectorXd& s, VectorXd& motion, double& value) {
     VectorXd trial = motion, step;
-    double least = std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity(), left = least;
     for (int k = 0; k <= kChordSteps; ++k) {
       task_.cost->evaluate(s, trial, Order::gradient, there_);
       const double now = scaled_norm(there_.stationarity);
@@ -91,10 +92,12 @@ class TaskProof {
         value = there_.value;
       }
       if (least < options_.tolerance) return true;
-      if (!falls || !factor_.solve(-there_.stationarity, step)) break;
+      if (!factor_.solve(-there_.stationarity, step)) return false;
+      left = std::min(left, 0.5 * std::abs(there_.stationarity.dot(step)));
+      if (!falls) break;
       trial += step;
     }
-    return least < kRounding * options_.tolerance;
+    return left < kUnseen * options_.step * std::max(proof_.largest, kLeastLargest);
   }
 
   double scaled_norm(const VectorXd& g) const {
@@ -140,7 +143,7 @@ double Certificate::worst_gradient_error() const {
     if (task.adjoint.size() == 0 || !task.error.allFinite())
       return std::numeric_limits<double>::infinity();
     if (task.error.size() > 0)
-      worst = std::max(worst, task.error.maxCoeff() / std::max(task.largest, 1e-3));
+      worst = std::max(worst, task.error.maxCoeff() / std::max(task.largest, kLeastLargest));
   }
   return worst;
 }
