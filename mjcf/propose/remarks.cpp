@@ -8,6 +8,7 @@
 #include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/propose/foot_pictures.hpp"
 #include "mjcf/propose/nearly_mirrored.hpp"
+#include "mjcf/propose/unread_ranges.hpp"
 
 namespace legwright {
 
@@ -16,6 +17,7 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
   std::vector<std::string> out = nearly_mirrored(robot, limbs, sides_across(facing.ahead));
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
   for (std::string& remark : doubtful_units(robot, limbs)) out.push_back(std::move(remark));
+  for (std::string& remark : unread_ranges(robot)) out.push_back(std::move(remark));
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : feet_beside_pictures(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));

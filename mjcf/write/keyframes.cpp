@@ -123,7 +123,8 @@ class Solver {
 
   bool stands(const StandingKey& key) const {
     const double lowest = *std::min_element(key.foot_height.begin(), key.foot_height.end());
-    if (!(std::abs(lowest) <= near_ground())) return false;
+    const bool sunk = lifts_ && lowest < 0.0;  // however deep
+    if (!sunk && !(std::abs(lowest) <= near_ground())) return false;
     const DataPointer data = kinematics_at(model_, key.qpos.data(), robot_.file);
     const int trunk = mj_name2id(&model_, mjOBJ_BODY, robot_.root_body.c_str());
     return data->xmat[9 * trunk + 8] >= kUpright &&

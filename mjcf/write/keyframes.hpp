@@ -47,7 +47,8 @@ struct LiftedKeyframes {
 };
 
 /// The robot as it is, but with its feet on the ground in keyframes in which it stands and its
-/// lowest foot is deeper in the ground than 1 % of a leg's length: the trunk rises, angles stay.
+/// lowest foot is deeper in the ground than 1 % of a leg's length, however deep: the trunk rises,
+/// angles stay.
 /// Where the file has ground of its own that is no plane at height zero, nothing changes.
 LiftedKeyframes with_lifted_keyframes(const RobotModel& robot);
 

@@ -118,6 +118,8 @@ int export_run(const ExportOptions& options) {
         " Keyframes that have the feet in the ground in the robot's file have them on it here: the "
         "trunk is up to {:.3g} m higher.",
         from.lifted);
+  if (!from.drawn.empty())
+    facts.standing += " Its keyframe `legwright` is the export's: " + from.drawn + ".";
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);

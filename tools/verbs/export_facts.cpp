@@ -4,10 +4,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/connectors.hpp"
+#include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/numbers.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/write/home_ctrl.hpp"
 #include "mjcf/write/keyframes.hpp"
@@ -21,6 +26,8 @@
 
 namespace legwright {
 namespace {
+
+constexpr double kAsDrawn = 1e-5;  // [m], [rad]
 
 namespace fs = std::filesystem;
 
@@ -116,6 +123,23 @@ std::string task_file_of(const RunRecord& run) {
   return file == "<task>" ? "from keywords in Python: inputs/task.toml of the run" : file;
 }
 
+/// A robot without keyframe, which the longer or shorter legs of its design leave at another height
+/// than the ground's as it is drawn, with that pose on the ground as its keyframe.
+/// @param drawn gets where its feet are drawn, in words
+RobotFiles with_drawn_pose(const RobotFiles& files, const fs::path& file, std::string& drawn) {
+  const ModelPointer model = compile_mjcf(files.text(), file);
+  if (model->nkey > 0) return files;
+  const std::optional<StandingPose> pose = find_standing_pose(files.text(), file);
+  if (!pose) return files;
+  const std::optional<std::vector<double>> qpos = parse_numbers(pose->qpos);
+  const int height = model->jnt_qposadr[model->body_jntadr[trunk_of(*model)]] + 2;
+  for (int k = 0; k < static_cast<int>(model->nq); ++k)
+    if (k != height && std::abs((*qpos)[static_cast<std::size_t>(k)] - model->qpos0[k]) > kAsDrawn)
+      return files;  // another pose than the one that was planned from
+  drawn = pose->why;
+  return files.with_text(with_keyframe(files.text(), file, *pose));
+}
+
 }  // namespace
 
 ExportedRun read_exported_run(const fs::path& root) {
@@ -135,9 +159,10 @@ ExportedRun read_exported_run(const fs::path& root) {
   const LiftedKeyframes raised = with_lifted_keyframes(
       files.at_their_lines([&] { return parse_robot(files, &out.before.structure); }));
   out.lifted = raised.lifted;
-  const RobotFiles held = with_home_ctrl(raised.files);
+  const RobotFiles standing = with_drawn_pose(raised.files, result, out.drawn);
+  const RobotFiles held = with_home_ctrl(standing);
   out.after = files.at_their_lines([&] { return parse_robot(held, &out.before.structure); });
-  out.holds_home = held.text() != raised.files.text();
+  out.holds_home = held.text() != standing.text();
   const Eigen::VectorXd s = out.after.space.initial();
   const std::string difference =
       s.size() != out.before.space.size()

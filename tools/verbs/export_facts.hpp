@@ -20,6 +20,7 @@ struct ExportedRun {
   JudgedSums sums;  // of what stands in the folder, before it was read
   RobotModel before, after;
   bool holds_home = false;  // `after` has controls in its home keyframe that the result has not
+  std::string drawn;        // where the result draws its feet, which a keyframe of `after` mends
   double lifted = 0.0;  // [m]: keyframes of the result are so much deeper in the ground than here
 };
 

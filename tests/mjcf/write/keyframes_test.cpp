@@ -148,6 +148,22 @@ TEST(Keyframes, FeetInTheGroundStandOnItWithAnotherBody) {
   }
 }
 
+TEST(Keyframes, FeetAreLiftedOutOfTheGroundHoweverDeep) {
+  const std::string xml = test::example_robot("puppy");
+  for (const double deep : {0.007, 0.15}) {
+    const std::string height = fmt::format("qpos=\"0 0 {:.10g}", 0.2045118502 - deep);
+    const RobotModel robot =
+        parse_robot(test::with(xml, "qpos=\"0 0 0.2045118502", height), "puppy");
+    const LiftedKeyframes raised = with_lifted_keyframes(robot);
+    EXPECT_NEAR(raised.lifted, deep, 1e-6);
+    const ModelPointer model = compile_mjcf(raised.files.text(), "puppy");
+    for (const double foot : foot_heights(robot, *model, 0)) EXPECT_NEAR(foot, 0.0, 1e-6);
+  }
+  const RobotModel high =
+      parse_robot(test::with(xml, "qpos=\"0 0 0.2045118502", "qpos=\"0 0 0.5"), "puppy");
+  EXPECT_EQ(with_lifted_keyframes(high).lifted, 0.0) << "in the air it falls onto its feet";
+}
+
 TEST(Keyframes, WhereNoFootStandsNothingChanges) {
   const std::string xml = test::example_robot("puppy");
   const std::string angles = "0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6 0.5 -1 0.6";

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // legwright export: the robot of a run in a folder of its own.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/checksum.hpp"
@@ -160,6 +162,43 @@ TEST_F(Export, AnUnchangedBodyStandsOnTheGroundToo) {
   EXPECT_TRUE(contains(done.out, "the trunk is up to 0.007 m higher")) << done.out;
   EXPECT_FALSE(contains(done.out, "deep in the ground")) << done.out;
   EXPECT_TRUE(contains(read_file(root() / "lifted" / "servo_dog.xml"), "qpos=\"0 0 0.1411"));
+}
+
+/// Stands on bent legs as it is drawn; a keyframe there is none.
+std::string keyless_dog() {
+  std::string legs, servos;
+  for (const auto& [name, place] :
+       {std::pair{"fl", ".15 .08 0"}, std::pair{"fr", ".15 -.08 0"}, std::pair{"hl", "-.15 .08 0"},
+        std::pair{"hr", "-.15 -.08 0"}}) {
+    legs += fmt::format(
+        R"(<body name="{0}_thigh" pos="{1}" euler="0 .6 0"><joint name="{0}_hip" axis="0 1 0"/>
+        <geom type="capsule" size=".015" fromto="0 0 0 0 0 -.2" mass=".3"/>
+        <body name="{0}_shank" pos="0 0 -.2" euler="0 -1.2 0"><joint name="{0}_knee" axis="0 1 0"/>
+        <geom type="capsule" size=".012" fromto="0 0 0 0 0 -.2" mass=".1"/>
+        <geom name="{0}_foot" size=".02" pos="0 0 -.2" mass=".02"/></body></body>)",
+        name, place);
+    for (const char* joint : {"hip", "knee"})
+      servos += fmt::format(R"(<position joint="{}_{}" kp="200" forcerange="-9 9"/>)", name, joint);
+  }
+  return R"(<mujoco model="keyless"><compiler angle="radian"/><worldbody>
+         <body name="trunk" pos="0 0 .3501"><freejoint/>
+         <geom type="box" size=".15 .05 .03" mass="3"/>)" +
+         legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>";
+}
+
+/// Nothing says where the trunk is of a body with other legs: it stood in the floor.
+TEST_F(Export, ARobotWithoutKeyframeStandsOnItsNewLegs) {
+  fs::create_directories(root() / "mine");
+  write_file(root() / "mine" / "dog.xml", keyless_dog());
+  ASSERT_EQ(call({"init", "mine/dog.xml", "--write", "--task", "mine/dog.toml"}).code, 0);
+  ASSERT_FALSE(contains(read_file(root() / "mine" / "dog.xml"), "<key")) << "it stands";
+  const Outcome run = call({"optimize", "mine/dog.toml", "-o", "keyless", "--plan-only",
+                            "--no-pictures", "--no-certificate", "--no-reasons"});
+  ASSERT_TRUE(run.code == 0 || run.code == 1) << run.err;
+  const Outcome done = call({"export", "keyless", "-o", "stands", "--no-picture"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, "keyframe `legwright` is the export's")) << done.out;
+  EXPECT_FALSE(contains(done.out, "deep in the ground")) << done.out;
 }
 
 TEST_F(Export, RefusesToOverwriteAndLeavesNothingBehind) {
