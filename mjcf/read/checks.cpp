@@ -57,7 +57,8 @@ void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_
   const double bound = name == "pos" || name == "fromto" ? 1e3 : 1e10;
   for (const double value : values)
     if (std::abs(value) > bound)
-      throw xml.error(element, fmt::format("attribute {}: {} is beyond any robot (at most {})",
+      throw xml.error(element, fmt::format("attribute {}: {} is beyond any robot (at most {} in SI "
+                                           "units; is the file in millimetres or grams?)",
                                            name, value, bound));
 }
 

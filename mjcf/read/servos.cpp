@@ -145,8 +145,13 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
     if (!std::isfinite(servo.torque_limit))
       throw xml.error(
           element,
-          "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" (N m, along a "
-          "tendon N), or use <position kp= kv=>");
+          fmt::format(
+              "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" (N m, "
+              "along a tendon N{}), or use <position kp= kv=>",
+              gear == 1.0 ? ""
+                          : fmt::format(", before its gear of {:.4g}: the joint's limit "
+                                        "divided by that",
+                                        gear)));
     servo.kp = servo.torque_limit / full_force_error;
     servo.kd = kDampingTime * servo.kp;
   }

@@ -124,7 +124,12 @@ class OptimizeRun {
   void explain(const MultistartResult& found, const Candidate& chosen) {
     folder_.check_there();
     if (!stop_() && !options_.no_reasons) {
+      if (chosen.design.s != problem_.robot.space.initial())
+        progress_.start(
+            "why the body changed: each change is put back and played alone (Ctrl-C keeps the "
+            "result) ...");
       reasons_.write(folder_, found, chosen, run_);
+      progress_.finish();
       times_.end_of("reasons");
     }
     write_json(folder_.run_json(), json_of(run_));  // what follows may take a while, and adds to it

@@ -197,7 +197,7 @@ const std::map<std::string, Refusal>& refusals() {
       {"composite", {9, {"composite", "generated parts are not read", "write the bodies out"}}},
       {"control_character", {10, {"UTF-8"}}},
       {"entity_bomb", {3, {"<!DOCTYPE>", "remove it"}}},
-      {"far_away", {6, {"body 'trunk'", "200000 is beyond any robot", "at most 1000"}}},
+      {"far_away", {6, {"body 'trunk'", "200000 is beyond any robot", "in millimetres or grams?"}}},
       {"free_inside", {23, {"unknown transmission target 'knee'", "mend the file"}}},
       {"inertia_of_no_body", {9, {"thigh", "A + B >= C", "mend the file"}}},
       {"iterations_without_end", {5, {"option", "iterations: 2000000000 is beyond any robot"}}},

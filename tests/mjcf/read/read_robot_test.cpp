@@ -170,6 +170,19 @@ TEST(ReadRobot, ReadsTheLimitOfAMotorBehindAServoOfSeveralControls) {
   EXPECT_NEAR(robot.servos[1].kp, 80.0, 1e-9);
 }
 
+TEST(ReadRobot, AsksForTheLimitOfAMotorBeforeItsGear) {
+  const std::string text =
+      test::read_file(test::source_path("examples/broken/robots/motor_without_limit.xml"));
+  try {
+    (void)parse_robot(test::with(text, "<motor ", "<motor gear=\"9\" "), "geared.xml");
+    FAIL() << "no limit was asked for";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("before its gear of 9: the joint's limit divided"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(ReadRobot, KeepsAServoWithoutDamping) {
   const std::string puppy = test::read_file(test::puppy_file());
   EXPECT_EQ(parse_robot(test::with(puppy, "kv=\"0.8\"", "kv=\"0\""), "p").servos[0].kd, 0.0);
