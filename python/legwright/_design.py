@@ -76,6 +76,8 @@ class Design:
         self.folder = Path(folder)
         """Where its files are; a temporary one goes with the design."""
         self._temporary = temporary
+        self._played: dict[str, Any] | None = None
+        """Of one of several tasks: what MuJoCo says of it, which stands in the record of all."""
         _core.open_run(self.folder)
         self.record: dict[str, Any] = self._json('run.json')
         """All that run.json says: docs/schema/run.schema.json is its schema."""
@@ -109,8 +111,21 @@ class Design:
     @property
     def F(self) -> float:
         """The cost of the task as it was given; of several the weighted sum, without J. Infinite
-        where the search found no motion."""
+        where the search found no motion.
+
+        It is that of the design handed back: where MuJoCo does not pass the optimum, one that it
+        passes costs more than the optimum does, and more than `front` at the same weights;
+        `optimum_F` tells that cost."""
         return _finite_or_inf(self.record['final_F'])
+
+    @property
+    def optimum_F(self) -> float:
+        """F of the optimum, in the place of which a design that MuJoCo passes may have been handed
+        back; that of the design itself where MuJoCo was not asked."""
+        choice = self.record.get('choice')
+        played = [] if choice is None else choice['candidates']
+        found = [each['F'] for each in played if each['name'] == 'optimum']
+        return _finite_or_inf(found[0]) if found else self.F
 
     @property
     def J(self) -> float:
@@ -160,19 +175,25 @@ class Design:
     @property
     def verdict(self) -> Verdict | None:
         """What MuJoCo says of the result; None where it was not asked: plan_only, or an iterate
-        that was picked."""
-        steps, choice = self.record.get('physics_steps'), self.record.get('choice')
+        that was picked. Of several tasks of all together; `tasks[NAME]` has that of each."""
+        steps = self.record.get('physics_steps')
         if steps is not None and steps['changed']:
             played = steps['after']
-        elif choice is not None:
-            name = self.record.get('picked') or choice['chosen']
-            found = [each['played'] for each in choice['candidates'] if each['name'] == name]
-            if not found:
-                return None
-            played = found[0]
         else:
+            chosen = self._chosen
+            played = self._played if chosen is None else chosen['played']
+        if played is None:
             return None
         return Verdict(played['pass'], played['line'], _finite_or_inf(played['merit']))
+
+    @property
+    def _chosen(self) -> dict[str, Any] | None:
+        """Of what was played before the choice, the result."""
+        choice = self.record.get('choice')
+        if choice is None:
+            return None
+        name = self.record.get('picked') or choice['chosen']
+        return next((each for each in choice['candidates'] if each['name'] == name), None)
 
     @cached_property
     def certificate(self) -> dict[str, Any] | None:
@@ -197,15 +218,19 @@ class Design:
         """The design as each task has it, by name; one task: itself."""
         if not self.joint:
             return {self.record['task']['name']: self}
-        return {
-            task['name']: Design(self.folder / 'tasks' / task['name'], self._temporary)
-            for task in self.record['tasks']
-        }
+        played = (self._chosen or {}).get('tasks') or {}
+        designs: dict[str, Design] = {}
+        for task in self.record['tasks']:
+            name = task['name']
+            designs[name] = Design(self.folder / 'tasks' / name, self._temporary)
+            designs[name]._played = played.get(name)
+        return designs
 
     @cached_property
     def front(self) -> list[FrontPoint]:
         """The trade-off between two tasks, by rising weight of the first; empty where codesign()
-        was not asked for it. The bodies are optima of F, which MuJoCo has not judged."""
+        was not asked for it. The bodies are optima of F, which MuJoCo has not judged: the design
+        may cost more than the point of its weights (see F)."""
         if not (self.folder / 'result/front.json').exists():
             return []
         return [

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from legwright import _core
 from legwright._design import Design
+from legwright._options import kind_of
 
 GAINS = (0.5, 1.0, 2.0)
 DRAKE = 'pip install "legwright[drake]" (from a clone: pip install ".[drake]")'
@@ -86,9 +87,15 @@ def validate(
         InputError: for a scene that the engine cannot play, with what it lacks; for limits that are
             wrong or need what is not measured here.
         IoError: where the design has no scene.
+        TypeError: for what is no Design.
         ValueError: for a design of several tasks (take design.tasks[NAME]), another engine, no
             gains or too few cycles.
     """
+    if not isinstance(design, Design):
+        raise TypeError(
+            f'design is {kind_of(design)}; expected a legwright.Design, as codesign() hands it '
+            'back or Design.load("runs/mine") reads it'
+        )
     design._of_one_task('a validation')
     file = '' if limits is None else limits
     if engine == 'mujoco':

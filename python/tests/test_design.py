@@ -119,6 +119,34 @@ def test_another_design_that_was_picked_has_its_own_verdict(walk, tmp_path):
     assert lw.Design.load(folder).verdict is None
 
 
+@pytest.fixture(scope='module')
+def two(examples):
+    """A body as given that does two tasks, of which MuJoCo does not pass the coarse one."""
+    coarse = lw.Task({'name': 'walk', 'period': 1.0, 'knots': 12}, (0.0, 0.1), name='coarse')
+    slow = lw.Task('walk', (0.0, 0.05), name='slow')
+    quick = {'motion_only': True, 'reasons': False, 'certificate': False, 'one_start': True}
+    return lw.codesign(lw.Robot(examples / 'puppy/robot.xml'), [coarse, slow], **quick)
+
+
+def test_each_of_several_tasks_has_its_verdict(two):
+    verdicts = {name: design.verdict for name, design in two.tasks.items()}
+    assert list(verdicts) == ['coarse', 'slow'] and None not in verdicts.values()
+    assert not verdicts['coarse'] and 'at 0.050 m/s' in verdicts['slow'].line
+    assert not two.verdict and verdicts['coarse'].line in two.verdict.line
+    merits = sum(verdict.merit for verdict in verdicts.values())
+    assert two.verdict.merit == pytest.approx(merits)
+    assert two.tasks['coarse'].tasks['coarse'].verdict == verdicts['coarse']
+
+
+def test_what_the_optimum_costs_is_told_where_another_was_handed_back(walk):
+    assert walk.optimum_F == walk.record['choice']['candidates'][0]['F']
+    other = lw.Design.load(walk.folder)
+    other.record['final_F'] = 2.0 * walk.optimum_F
+    assert 2.0 * other.optimum_F == other.F
+    del other.record['choice']  # plan_only: nothing was played
+    assert other.optimum_F == other.F
+
+
 def test_a_folder_without_a_run_is_refused(tmp_path):
     with pytest.raises(lw.IoError, match='holds no run'):
         lw.Design.load(tmp_path)

@@ -119,6 +119,13 @@ def test_each_of_several_tasks_has_its_gait(examples, tmp_path):
     for name, one in design.tasks.items():
         way, planned = way_by_script(folder, name)
         assert np.linalg.norm(way - way_by_plugin(one)) <= 0.005 * np.linalg.norm(planned)
+    named = run(sys.executable, 'play.py', 'pace', '--cycles', '1', cwd=folder)
+    told = run(sys.executable, 'play.py', '--cycles', '1', cwd=folder)
+    assert told == f'tasks: pace, sideways; plays pace, as none was named\n{named}'
+    words = [sys.executable, 'play.py', 'trot']
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.endswith("there is no gait 'trot' here; name one of pace, sideways\n")
 
 
 def test_mujoco_reads_the_same_robot_from_the_urdf(walk, tmp_path):

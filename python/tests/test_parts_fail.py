@@ -10,9 +10,11 @@ import pytest
 from legwright import parts
 from legwright.parts._holes import Fixing, fixings_of, holes_of
 from legwright.parts._mesh_files import mesh_of
+from legwright.parts._reach import reaches
 from legwright.parts._robot import Shape
 from legwright.parts._screw_checks import check_screws
 from legwright.parts._solid_checks import _closed, _wall
+from legwright.parts._tables import check_lines
 from legwright.parts._words import Place
 from manifold3d import Manifold
 
@@ -57,7 +59,49 @@ def test_masses_that_are_not_those_of_the_solids_fail(dog, tmp_path):
     robot.write_text(heavy.replace('trunk trunk 0.25 kg', 'trunk trunk 0.1 kg'), encoding='utf-8')
     found = failed(parts.make(robot, tmp_path / 'out').checks)
     assert set(found) == {'mass of the hulls', 'mass of the trunk'}
+    assert found['mass of the trunk'].unit == "of its module's mass"
     assert found['mass of the hulls'].figure == pytest.approx(0.01 / 1.01, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    'kind, on_trunk, places, remedy',
+    [
+        ('battery', True, 'bottom', r'position of its [[part]]'),
+        ('servo', True, 'back', r'hip or step of its [[limb]]'),
+        ('servo', False, 'back', 'turn its servo by roll'),
+        ('foot', False, 'top', r'foot_offset of its [[limb]]'),
+        ('servo', False, '', 'MY-1 has no attachment on its body: its module file needs'),
+    ],
+)
+def test_what_is_not_reached_is_told_by_what_it_is(kind, on_trunk, places, remedy):
+    """Material begins 9.6 mm under it."""
+    none = np.zeros((0, 3))
+    found = [Place(name, False, np.zeros(3), -UP, None, none) for name in places.split()]
+    module = SimpleNamespace(of='it', places=found, words=SimpleNamespace(name='MY-1', kind=kind))
+    horn = Place('horn', True, np.zeros(3), UP, None, none)
+    servo = SimpleNamespace(
+        of='below', places=[horn], words=SimpleNamespace(name='MY-2', kind='servo')
+    )
+    link = SimpleNamespace(servo=None if on_trunk else servo, modules=(module,))
+    plate = Manifold.cube((20, 20, 3)).translate((-10, -10, -12.6))
+    solid = SimpleNamespace(
+        link=link, shape=plate, fixings=[SimpleNamespace(module=servo, place=horn)]
+    )
+    checks = reaches(solid, 'part')
+    assert set(failed(checks)) == {'reaches it'} and len(checks) == (1 if on_trunk else 2)
+    assert remedy in checks[0].remedy
+    assert checks[0].where == (f'nearest 9.6 mm before {places}' if places else '')
+
+
+def test_figures_say_what_they_are_shares_of():
+    """Of a part in one piece, and of one that is not."""
+    lines = check_lines([*_closed(part_of(Manifold.cube((9, 9, 9))))])
+    assert re.search(r'volume by trimesh +1 of 1, \S+ relative difference, at most 1e-06', lines[1])
+    assert lines[2].endswith('in one piece               1 of 1, 1 piece, exactly 1')
+    broken = check_lines(_closed(part_of(Manifold.cube((9, 9, 9)), 2)))
+    assert '      it: in one piece: 2 pieces, exactly 1' in broken
+    walls = [parts.Check('', 'wall', True, mm, 'mm', 'at least 1 mm') for mm in (2.0, 3.0)]
+    assert check_lines(walls)[0].endswith('2 of 2, worst 2 mm, at least 1 mm')
 
 
 @pytest.mark.parametrize(

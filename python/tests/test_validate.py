@@ -63,6 +63,19 @@ def test_what_cannot_be_asked_is_told(walk):
         lw.validate(walk, cycles=3)
 
 
+@pytest.mark.parametrize('what, words', [(None, 'None'), ('runs/mine', 'a text')])
+def test_what_is_no_design_is_told(what, words):
+    with pytest.raises(TypeError, match=f'design is {words}; expected a legwright.Design, as code'):
+        lw.validate(what)
+    with pytest.raises(TypeError, match=r'Design\.load\("runs/mine"\)'):
+        lw.validate(what, engine='drake')
+
+
+def test_a_robot_is_no_design(puppy):
+    with pytest.raises(TypeError, match='design is a Robot; expected a legwright.Design'):
+        lw.validate(puppy)
+
+
 class StockMujoco:
     """The exported scene without plugin, its servos commanded as those of other engines are."""
 

@@ -37,4 +37,13 @@ std::optional<ByName<std::string>> failing_tasks(const CodesignProblem& problem,
   return out;
 }
 
+std::optional<ByName<PlayedGait>> played_tasks(const CodesignProblem& problem,
+                                               const PlayedCandidate& played) {
+  if (!problem.set.joint()) return std::nullopt;
+  ByName<PlayedGait> out;
+  const int count = static_cast<int>(played.trials.size());
+  for (int k = 0; k < count; ++k) out.emplace_back(problem.task(k).name, played.record(k));
+  return out;
+}
+
 }  // namespace legwright

@@ -20,4 +20,8 @@ std::string brief_words(const CodesignProblem& problem, const PlayedCandidate& p
 std::optional<ByName<std::string>> failing_tasks(const CodesignProblem& problem,
                                                  const PlayedCandidate& played);
 
+/// Of several tasks what physics says of each.
+std::optional<ByName<PlayedGait>> played_tasks(const CodesignProblem& problem,
+                                               const PlayedCandidate& played);
+
 }  // namespace legwright

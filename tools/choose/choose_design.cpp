@@ -302,7 +302,8 @@ class DesignChooser {
                                   {},
                                   failing_tasks(problem_, played),
                                   {},
-                                  {}});
+                                  {},
+                                  played_tasks(problem_, played)});
     if (played.pass || record_.candidates.size() == 1)
       kept_.emplace_back(record_.candidates.size() - 1, candidate);
     failed_.add(candidate, record_.candidates.size() - 1, played);
@@ -319,6 +320,7 @@ class DesignChooser {
   void write_again(std::size_t place, const PlayedCandidate& played) {
     record_.candidates[place].played = played.record();
     record_.candidates[place].failing = failing_tasks(problem_, played);
+    record_.candidates[place].tasks = played_tasks(problem_, played);
     count_rollouts(played);
   }
 

@@ -30,6 +30,7 @@ void fields(Fields& f, CandidateRecord& candidate) {
   f("stable", candidate.stable, "whether its cycle is stable at all gains, where that decides");
   f("multiplier", candidate.multiplier,
     "largest Floquet multiplier at half, default and double gains; absent where it falls");
+  f("tasks", candidate.tasks, "of several tasks: what physics says of each by itself");
 }
 
 void fields(Fields& f, ChoiceRecord& choice) {

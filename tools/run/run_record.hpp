@@ -44,6 +44,7 @@ struct CandidateRecord {
   // multiplier at the three gains is below 1, and that number, absent where the gait falls.
   std::optional<bool> stable;
   std::optional<double> multiplier;
+  std::optional<ByName<PlayedGait>> tasks = {};  // of several tasks: each by itself
 };
 void fields(Fields& f, CandidateRecord& candidate);
 

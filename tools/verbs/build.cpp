@@ -148,7 +148,8 @@ void add_build(CLI::App& program, Action& action) {
                    "write a first task for the robot, by its size, to this new file");
   verb->add_option("--gait", options->gait, "of that task; default: as of legwright init");
   verb->add_option("--library", options->library,
-                   "a folder of modules of your own (*.toml); may be given several times");
+                   "a folder of modules of your own (*.toml); may be given several times")
+      ->allow_extra_args(false);
   verb->add_flag("--keys", options->keys, "tell every key of an assembly file");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(

@@ -89,7 +89,8 @@ void add_modules(CLI::App& program, Action& action) {
   verb->add_option("NAME", options->name, "one module, with the source of each figure");
   verb->add_option("--library", options->library,
                    "a folder of modules of your own (*.toml), which take the place of those of the "
-                   "same name; may be given several times");
+                   "same name; may be given several times")
+      ->allow_extra_args(false);
   verb->add_option("--draw", options->draw, "draw each into this folder, NAME.png");
   verb->add_flag("--keys", options->keys, "tell every key of a module file");
   verb->add_flag("--json", options->json, "print one JSON document");

@@ -78,14 +78,20 @@ def play(task, cycles, show):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
-    parser.add_argument('task', nargs='?', default='', metavar='TASK', help='of several gaits')
+    parser.add_argument('task', nargs='?', default='', metavar='TASK', help='default: the first')
     parser.add_argument('--cycles', type=int, default=20)
     parser.add_argument('--view', action='store_true', help="in MuJoCo's viewer, at true speed")
     options = parser.parse_args()
     files = HERE.glob('*gains.json')
     tasks = sorted(file.name.removesuffix('gains.json').removesuffix('_') for file in files)
+    if not tasks:
+        parser.error(f'there is no gains.json in {HERE}; export the run anew: legwright export')
+    if not options.task and '' not in tasks:
+        options.task = tasks[0]
+        print(f'tasks: {", ".join(tasks)}; plays {tasks[0]}, as none was named', flush=True)
     if options.task not in tasks:
-        parser.error(f'there is no gait {options.task!r} here, but {", ".join(tasks)}')
+        cure = f'name one of {", ".join(tasks)}' if tasks[0] else 'name none, it is of one task'
+        parser.error(f'there is no gait {options.task!r} here; {cure}')
     viewers = []
 
     def show(model, data):

@@ -85,6 +85,7 @@ void add_render(CLI::App& program, Action& action) {
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
   verb->add_option("--phase", options->phases,
                    "Also a still of the gait at this phase, 0 to 1; may be given several times")
+      ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 1.0));
   verb->add_flag("--still", options->still,
                  "Nothing but the stills of --phase (without it: of phase 0)");

@@ -92,12 +92,13 @@ void add_studio(CLI::App& program, Action& action) {
       "start from");
   verb->add_option("--port", options->port, "of 127.0.0.1; default: one that is free")
       ->check(CLI::Range(1, 65535));
-  verb->add_option(
-      "--roots", options->roots,
-      "folders below which the page may read and write, besides that of PATH; default: "
-      "the working directory");
+  verb->add_option("--roots", options->roots,
+                   "a folder below which the page may read and write, besides that of PATH; may be "
+                   "given several times; default: the working directory")
+      ->allow_extra_args(false);
   verb->add_option("--library", options->library,
-                   "a folder of modules of your own (*.toml); may be given several times");
+                   "a folder of modules of your own (*.toml); may be given several times")
+      ->allow_extra_args(false);
   verb->add_flag("--no-browser", options->no_browser, "only print the address");
   verb->footer(
       "Prints an address of this machine and opens it where there is a display. Nobody else is let "

@@ -14,6 +14,7 @@
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
+#include "tools/verbs/matrix_table.hpp"
 #include "tools/verbs/progress.hpp"
 #include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -103,18 +104,6 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
     fmt::print("{}  {}\n", indent, line);
 }
 
-/// One line per design, one column per task: F, and what physics says.
-void print_matrix(const MatrixRecord& matrix) {
-  fmt::print("{:24}", "F and verdict of");
-  for (const auto& [task, cells] : matrix.cells) fmt::print("{:>20}", task);
-  for (std::size_t k = 0; k < matrix.designs.size(); ++k) {
-    fmt::print("\n  body {:17}", matrix.designs[k].name);
-    for (const auto& [task, cells] : matrix.cells)
-      fmt::print("{:>13.4g} {:>6}", cells[k].F, cells[k].pass ? "PASS" : "FAIL");
-  }
-  fmt::print("\n");
-}
-
 int validate_joint(const ResultFolder& folder, const RunRecord& run,
                    const ValidateOptions& options) {
   std::vector<JudgedRun> judged;
@@ -131,7 +120,7 @@ int validate_joint(const ResultFolder& folder, const RunRecord& run,
       print_servos((*run.tasks)[k], "  ");
       print_judged(judged[k], run.motion_only, "  ");
     }
-    print_matrix(matrix);
+    fmt::print("{}", matrix_table(matrix));
   }
   return matrix.pass ? kOk : kInfeasible;
 }

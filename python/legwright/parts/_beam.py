@@ -20,6 +20,7 @@ from legwright.parts._solids import Part, Solid
 from legwright.parts._words import Array
 
 _SHARES = np.linspace(0.15, 0.85, 29)  # of the way: where loads enter a beam says nothing
+_FACTOR = 'times the stress'
 _REMEDY = 'a larger radius or wall under [link] of the assembly, or --strength of another material'
 
 
@@ -167,7 +168,7 @@ def _bears_servo(robot: BuiltRobot, part: Part, sections: list[Section], strengt
         cure = 'the file is not as `legwright build` writes it: build the robot anew'
         return Check(part.name, name, False, None, '', 'at least 1', where, cure)
     where = f'{stress:.1f} of {strength:g} MPa, all of the torque limit, against the far end'
-    return at_least(part.name, name, strength / stress, 1.0, '', where, _REMEDY)
+    return at_least(part.name, name, strength / stress, 1.0, _FACTOR, where, _REMEDY)
 
 
 def _bears_gait(
@@ -191,7 +192,7 @@ def _bears_gait(
         return Check(part.name, name, False, None, '', limit, where, 'optimize the robot anew')
     words = f'{stress:.1f} of {options.strength:g} MPa, {where}'
     factor = options.strength / stress
-    return at_least(part.name, name, factor, options.safety, '', words, _REMEDY)
+    return at_least(part.name, name, factor, options.safety, _FACTOR, words, _REMEDY)
 
 
 def pegs_bear(part: Part, loads: dict[int, list[Load]], options: PartOptions) -> list[Check]:
@@ -210,7 +211,7 @@ def pegs_bear(part: Part, loads: dict[int, list[Load]], options: PartOptions) ->
         factor = options.strength / stress if stress > 0 else 0.0
         cure = 'a larger foot, one whose module file has screws, or --strength of another material'
         name, least = 'peg bears the gait', options.safety
-        out.append(at_least(part.name, name, factor, least, '', words, cure))
+        out.append(at_least(part.name, name, factor, least, _FACTOR, words, cure))
     return out
 
 

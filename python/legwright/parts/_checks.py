@@ -16,6 +16,7 @@ class Check:
     figure: float | None
     """In the unit; None where there is none to tell."""
     unit: str
+    """Or in words what the figure is a share or a multiple of."""
     limit: str
     """In words: "at least 1.2 mm"."""
     where: str = ''
@@ -29,12 +30,17 @@ class Check:
         return {**asdict(self), 'passed': bool(self.passed), 'figure': figure}
 
 
+def _limit(words: str, bound: float, unit: str) -> str:
+    """Without words that are told with the figure."""
+    return f'{words} {bound:g} {"" if " " in unit else unit}'.rstrip()
+
+
 def at_least(
     part: str, name: str, figure: float, least: float, unit: str, where: str, remedy: str
 ) -> Check:
     """Passes where the figure is not below its limit."""
     passed = figure >= least
-    limit = f'at least {least:g} {unit}'.rstrip()
+    limit = _limit('at least', least, unit)
     return Check(part, name, passed, figure, unit, limit, where, '' if passed else remedy)
 
 
@@ -43,5 +49,5 @@ def at_most(
 ) -> Check:
     """Passes where the figure is not above its limit."""
     passed = figure <= most
-    limit = f'at most {most:g} {unit}'.rstrip()
+    limit = _limit('at most', most, unit)
     return Check(part, name, passed, figure, unit, limit, where, '' if passed else remedy)

@@ -44,7 +44,7 @@ _HEAD_PLAY = 0.3  # [mm], around a head and its driver
 _DRIVER = 80.0  # [mm], how far along its axis a driver must come
 _CLAMPED = 1.25  # times the nominal diameter: what a head presses on where it is let in
 _DEEP = 4.0  # times the nominal diameter: through more a head is let in wherever it is
-_REACH = 6.0  # [mm] before an attachment, within which what it holds begins
+REACH = 6.0  # [mm] before an attachment, within which what it holds begins
 _SAMPLED = 48  # directions around a hole
 _BEHIND = 0.05  # [mm] where a part begins
 
@@ -94,7 +94,13 @@ def _hits(solid: Manifold, start: Array, axis: Array, length: float) -> list[flo
 
 def _is_covered(solid: Manifold, position: Array, normal: Array) -> bool:
     """Whether material begins before an attachment [mm]."""
-    return bool(_hits(solid, position - 0.5 * normal, normal, _REACH + 0.5))
+    return bool(_hits(solid, position - 0.5 * normal, normal, REACH + 0.5))
+
+
+def gap_before(solid: Manifold, place: Place) -> float:
+    """How far before an attachment material begins, also where that is too far [mm]."""
+    hits = _hits(solid, MM * place.position, place.normal, 1e3)
+    return hits[0] if hits else math.inf
 
 
 def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
@@ -119,7 +125,7 @@ def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
 
 def begins_at(solid: Manifold, fixing: Fixing) -> float:
     """How far before an attachment that it covers a part begins [mm]."""
-    hits = _hits(solid, MM * fixing.position - 0.5 * fixing.normal, fixing.normal, _REACH + 0.5)
+    hits = _hits(solid, MM * fixing.position - 0.5 * fixing.normal, fixing.normal, REACH + 0.5)
     return max(0.0, hits[0] - 0.5) if hits else 0.0
 
 
@@ -172,7 +178,7 @@ def holes_of(fixing: Fixing, solid: Manifold, wall: float) -> list[Hole]:
     for point in fixing.holes:
         start = MM * point
         hits = [hit - 0.01 for hit in _hits(solid, start - 0.01 * axis, axis, 1e3)]
-        is_there = len(hits) >= 2 and hits[0] <= _REACH
+        is_there = len(hits) >= 2 and hits[0] <= REACH
         ways.append((start, max(0.0, hits[0]), hits[1]) if is_there else (start, 0.0, 0.0))
     pairs = itertools.combinations(MM * fixing.holes, 2)
     spacing = min((math.dist(one, other) for one, other in pairs), default=math.inf)

@@ -10,6 +10,7 @@ from manifold3d import Error, Manifold
 
 from legwright.parts._checks import Check, at_least, at_most
 from legwright.parts._mesh_files import stl_bytes
+from legwright.parts._reach import reaches
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._shapes import MM, hull
 from legwright.parts._solids import Part, Solid
@@ -17,6 +18,7 @@ from legwright.parts._thin import FACING
 
 _SAME_VOLUME = 1e-6  # of it: two libraries
 _SAME_MASS = 1e-3  # of it: hulls and the robot's file
+_RELATIVE = 'relative difference'
 _SAMPLES = 2000  # points of a surface at which the wall is measured
 _TILT = math.radians(0.5)  # of a horn to the joint's axis
 _BESIDE = 0.05  # [mm]: of a joint's axis from the horn's middle
@@ -48,14 +50,14 @@ def _closed(part: Part) -> list[Check]:
             '' if good else f'manifold3d: {shape.status().name}',
             '' if good else fault,
         ),
-        at_most(part.name, 'volume by trimesh', differs, _SAME_VOLUME, '', 'of it', fault),
+        at_most(part.name, 'volume by trimesh', differs, _SAME_VOLUME, _RELATIVE, '', fault),
         Check(
             part.name,
             'in one piece',
             part.solid.pieces == 1,
             float(part.solid.pieces),
-            'pieces',
-            '1',
+            'piece' if part.solid.pieces == 1 else 'pieces',
+            'exactly 1',
             '',
             ''
             if part.solid.pieces == 1
@@ -94,47 +96,16 @@ def _masses(part: Part) -> list[Check]:
     if part.solid.link.servo is None and not part.solid.link.hulls:
         share = part.solid.mass / part.solid.file_mass
         cure = 'a larger mass under [trunk] of the assembly, or a smaller --wall'
-        return [at_most(part.name, 'mass of the trunk', share, 1.0, '', "of the file's", cure)]
+        of = "of its module's mass"
+        return [at_most(part.name, 'mass of the trunk', share, 1.0, of, '', cure)]
     worst = 0.0
     for solid in part.solids:
         for each in solid.link.hulls:
             own = hull(each).volume() / MM**3 * each.words.density
             worst = max(worst, abs(own - each.mass) / each.mass)
     cure = 'the file is not as Legwright wrote it: build or optimize it anew'
-    return [at_most(part.name, 'mass of the hulls', worst, _SAME_MASS, '', "of the file's", cure)]
-
-
-def _holds(solid: Solid, part: Part) -> list[Check]:
-    """Whether the part reaches the horn that turns it, and each module on its link."""
-    wanted = [(each.of, False) for each in solid.link.modules]
-    if solid.link.servo:
-        wanted.append((solid.link.servo.of, True))
-    out = []
-    for name, is_horn in wanted:
-        found = [
-            f.place.name
-            for f in solid.fixings
-            if f.module.of == name and f.place.on_horn == is_horn
-        ]
-        what = f'reaches the horn of {name}' if is_horn else f'reaches {name}'
-        cure = (
-            'no attachment of it is covered: move that joint further away (offset in the '
-            'assembly), or turn its servo by roll, so that its connector need not be pulled back'
-        )
-        good = bool(found)
-        out.append(
-            Check(
-                part.name,
-                what,
-                good,
-                float(len(found)),
-                'attachments',
-                'at least 1',
-                ', '.join(found),
-                '' if good else cure,
-            )
-        )
-    return out
+    of = "against the file's"
+    return [at_most(part.name, 'mass of the hulls', worst, _SAME_MASS, _RELATIVE, of, cure)]
 
 
 def _axis(robot: BuiltRobot, solid: Solid, part: Part) -> list[Check]:
@@ -180,7 +151,7 @@ def check_solids(robot: BuiltRobot, parts: list[Part], wall: float) -> list[Chec
     for part in parts:
         out += [*_closed(part), _wall(part, wall), *_masses(part)]
         for solid in part.solids[:1]:
-            out += _holds(solid, part)
+            out += reaches(solid, part.name)
         for solid in part.solids:
             out += _axis(robot, solid, part)
     return out

@@ -324,4 +324,5 @@ def _worst(group: Sequence[Check]) -> str:
         return f'{sum(check.passed for check in group)} of {len(group)}'
     least = told[0].limit.startswith('at least')
     worst = (min if least else max)(told, key=lambda check: check.figure or 0.0)
-    return f'{len(group)} of {len(group)}, worst {_figure(worst)}, {worst.limit}'
+    worse = 'worst ' if len({check.figure for check in told}) > 1 else ''
+    return f'{len(group)} of {len(group)}, {worse}{_figure(worst)}, {worst.limit}'

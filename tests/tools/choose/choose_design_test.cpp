@@ -7,6 +7,7 @@
 
 #include "tests/support/variable.hpp"
 #include "tests/tools/choose/problems.hpp"
+#include "tools/choose/candidate_words.hpp"
 #include "tools/choose/physics_trial.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -244,6 +245,15 @@ TEST(ChooseDesign, TasksAreTriedTogether) {
   EXPECT_FALSE(played.pass);
   ASSERT_EQ(played.trials.size(), 2u);
   for (const GaitTrial& trial : played.trials) EXPECT_EQ(trial.rollouts, 3) << trial.line;
+  const auto each = played_tasks(problem, played);
+  ASSERT_TRUE(each.has_value() && each->size() == 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& [name, gait] = (*each)[k];
+    EXPECT_EQ(name, problem.task(static_cast<int>(k)).name);
+    EXPECT_EQ(gait.line, played.trials[k].line);
+    EXPECT_EQ(gait.merit, played.trials[k].distance);
+    EXPECT_FALSE(gait.pass);
+  }
 }
 
 }  // namespace

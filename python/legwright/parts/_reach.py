@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether a part reaches what it is fixed to, and what mends it where it does not."""
+
+import math
+
+from legwright.parts._checks import Check
+from legwright.parts._holes import REACH, gap_before
+from legwright.parts._robot import Module
+from legwright.parts._solids import Solid
+
+
+def _cure(solid: Solid, module: Module, is_horn: bool) -> str:
+    """By what the module is, and what carries it."""
+    name, kind = module.words.name, module.words.kind
+    if not any(place.on_horn == is_horn for place in module.places):
+        side, on = ('horn', ', on = "horn"') if is_horn else ('body', '')
+        return (
+            f'{name} has no attachment on its {side}: its module file needs an [[attachment]] '
+            f'there (name, position, normal{on}); then build the robot anew'
+        )
+    on_trunk = solid.link.servo is None
+    if kind == 'servo' and on_trunk:
+        return (
+            'no attachment of it is covered: put the hip (hip or step of its [[limb]] in the '
+            "assembly) nearer to the trunk's box, or give that another size under [trunk]"
+        )
+    if kind == 'servo':
+        return (
+            'no attachment of it is covered: move that joint further away (offset in the '
+            'assembly), or turn its servo by roll, so that its connector need not be pulled back'
+        )
+    if on_trunk:
+        return (
+            f'no attachment of it is covered: material must begin within {REACH:g} mm before one; '
+            "move it to the tray's floor or side (position of its [[part]] in the assembly), or "
+            'give the trunk another size under [trunk]'
+        )
+    return (
+        'no attachment of it is covered: move it further away (foot_offset of its [[limb]] in the '
+        'assembly), so that its connector need not be pulled back'
+    )
+
+
+def _nearest(solid: Solid, module: Module) -> str:
+    """Where material begins before the attachments of what stands on the solid."""
+    places = [place for place in module.places if not place.on_horn]
+    gaps = [(gap_before(solid.shape, place), place.name) for place in places]
+    gap, name = min(gaps, default=(math.inf, ''))
+    return f'nearest {gap:.1f} mm before {name}' if math.isfinite(gap) else ''
+
+
+def reaches(solid: Solid, part: str) -> list[Check]:
+    """Whether it reaches the horn that turns it, and each module on its link."""
+    wanted = [(each, False) for each in solid.link.modules]
+    if solid.link.servo:
+        wanted.append((solid.link.servo, True))
+    out = []
+    for module, is_horn in wanted:
+        found = [
+            fixing.place.name
+            for fixing in solid.fixings
+            if fixing.module.of == module.of and fixing.place.on_horn == is_horn
+        ]
+        good = bool(found)
+        where = ', '.join(found)
+        if not good and not is_horn:
+            where = _nearest(solid, module)
+        out.append(
+            Check(
+                part,
+                f'reaches the horn of {module.of}' if is_horn else f'reaches {module.of}',
+                good,
+                float(len(found)),
+                'attachments',
+                'at least 1',
+                where,
+                '' if good else _cure(solid, module, is_horn),
+            )
+        )
+    return out
