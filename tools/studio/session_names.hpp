@@ -6,15 +6,8 @@
 
 namespace legwright {
 
-/// What a robot is called in lists and names of folders: its model's name; where that says nothing
-/// ("robot", "scene", MuJoCo's own), the name of its file, else of the folder that it is in, or of
-/// the run. @param origin what was opened: its MJCF, a task file, an assembly or the folder of a
-/// run @param robot its MJCF
-std::string robot_label(const std::string& model, const std::filesystem::path& origin,
-                        const std::filesystem::path& robot);
-
-/// The same with what tells sessions of one robot apart: "puppy, sideways trot" of a task file,
-/// "puppy, run found" of a run.
+/// A robot's label with what tells sessions of one robot apart: "puppy, sideways trot" of a task
+/// file, "puppy, run found" of a run.
 std::string session_name(const std::string& label, const std::filesystem::path& origin);
 
 /// "2026-03-01 14:05", now and here.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
+#include "tools/run/robot_label.hpp"
 #include "tools/studio/session_names.hpp"
 
 namespace legwright {

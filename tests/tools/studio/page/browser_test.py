@@ -308,7 +308,7 @@ class Studio(unittest.TestCase):
         table = self.studio.page.locator('.compared')
         table.wait_for()
         self.assertIn('body length [m]', table.inner_text())
-        self.assertIn('none', table.inner_text())
+        self.assertIn('not judged', table.inner_text())
         shown = 'document.querySelector(".compared").getBoundingClientRect().top < innerHeight - 60'
         self.studio.until(shown)
         self.assertTrue(self.studio.js('legwrightStudio.view.ghost.root.visible'))

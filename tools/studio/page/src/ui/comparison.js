@@ -49,7 +49,7 @@ export function comparisonTable(name, { rows, tasks = [], F, mass, verdict }) {
         ),
       ),
       row("mass [kg]", fixed(mass.a, "kg"), fixed(mass.b, "kg"), change(mass.a, mass.b, "kg")),
-      row("verdict", verdict.a ?? "none", verdict.b ?? "none", ""),
+      row("verdict", verdict.a ?? "not judged", verdict.b ?? "not judged", ""),
       changed.map(parameterRow),
     ),
   );
