@@ -24,7 +24,8 @@ MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
   if (numbers.size() != 2 || !positive)
     throw xml.error(numeric, fmt::format("attribute data: '{}' is no motor; expected two positive "
                                          "numbers, the torque at rest [N m] and the speed without "
-                                         "load [rad/s], as \"1.5 6\"",
+                                         "load [rad/s], as \"1.5 6\"; of a linear actuator force "
+                                         "[N] and speed [m/s]",
                                          data));
   return {numbers[0], numbers[1]};
 }
@@ -42,17 +43,14 @@ void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vecto
       throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which no servo of a limb "
                                             "moves; correct the name, or remove it",
                                             joint));
-    if (!servo->tendon.empty())
-      throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which a linear actuator "
-                                            "moves; only servos at joints have one, remove it",
-                                            joint));
     const MotorLine line = line_of(xml, *numeric);
     if (std::isfinite(servo->torque_limit) &&
         line.stall_torque < (1.0 - kRounding) * servo->torque_limit)
-      throw xml.error(*numeric,
-                      fmt::format("has {} N m at rest, less than the torque limit of "
-                                  "actuator '{}', {} N m; lower its forcerange",
-                                  line.stall_torque, servo->actuator, servo->torque_limit));
+      throw xml.error(*numeric, fmt::format("has {0} {3} at rest, less than the {4} limit of "
+                                            "actuator '{1}', {2} {3}; lower its forcerange",
+                                            line.stall_torque, servo->actuator, servo->torque_limit,
+                                            servo->tendon.empty() ? "N m" : "N",
+                                            servo->tendon.empty() ? "torque" : "force"));
     servo->line = line;
   }
 }

@@ -15,9 +15,10 @@ inline constexpr std::string_view kMotorPrefix = "legwright_motor/";
 
 /// Reads <numeric name="legwright_motor/JOINT" data="STALL_TORQUE NO_LOAD_SPEED"/> [N m, rad/s, at
 /// the joint] into the servos: torque falls from the one at rest to zero at the other (MotorLine).
-/// Those of joints that are held are passed over.
-/// Throws InputError for a joint without servo or with a linear actuator, for other numbers than
-/// two positive ones, and for a stall torque below the servo's torque limit.
+/// Of a joint that a linear actuator moves they are force and speed along it [N, m/s]. Those of
+/// joints that are held are passed over.
+/// Throws InputError for a joint without servo, for other numbers than two positive ones, and for a
+/// stall torque below the servo's torque limit.
 void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vector<Servo>& servos);
 
 }  // namespace legwright

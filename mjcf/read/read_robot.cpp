@@ -81,9 +81,9 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
   read_motor_lines(*xml, structure, robot.servos);
   for (int a = 0; a < robot.morphology.joint_count(); ++a) {
-    if (!robot.servos[a].tendon.empty()) continue;
-    robot.morphology.links[a + 1].joint.torque_limit = robot.servos[a].torque_limit;
-    robot.morphology.links[a + 1].joint.line = robot.servos[a].line;
+    Joint& joint = robot.morphology.links[a + 1].joint;
+    joint.line = robot.servos[a].line;
+    if (robot.servos[a].tendon.empty()) joint.torque_limit = robot.servos[a].torque_limit;
   }
   set_gains(robot.servos, declared.space.initial(), robot.morphology);
   for (LinearActuator& actuator : robot.morphology.linear_actuators)

@@ -85,7 +85,7 @@ struct Joint {
   double lower = -std::numeric_limits<double>::infinity();  // range [rad]
   double upper = std::numeric_limits<double>::infinity();
   double torque_limit = std::numeric_limits<double>::infinity();  // at any speed [N m]
-  std::optional<MotorLine> line;  // besides, where the motor is known
+  std::optional<MotorLine> line;  // where the motor is known; of linear actuators along it [N, m/s]
   double armature = 0.0;          // reflected rotor inertia [kg m²]
   // What the motor works against besides: a damper [N m s/rad], a spring [N m/rad] that is slack at
   // an angle [rad], dry friction [N m].

@@ -31,10 +31,14 @@ std::vector<LimitedMotor> limited_motors(const Morphology& morphology, const Lay
 
 std::vector<MotorAtSpeed> motors_at_speed(const Morphology& morphology, const Layout& layout) {
   std::vector<MotorAtSpeed> motors;
+  const auto is_linear = [&](int a) {
+    return std::any_of(morphology.linear_actuators.begin(), morphology.linear_actuators.end(),
+                       [&](const LinearActuator& each) { return each.joint == a; });
+  };
   for (int i = 0; i < layout.knot_count(); ++i)
     for (int a = 0; a < layout.joint_count(); ++a) {
       const Joint& joint = morphology.links[a + 1].joint;
-      if (!joint.line) continue;
+      if (!joint.line || is_linear(a)) continue;
       const int before = i > 0 ? i - 1 : layout.knot_count() - 1;
       motors.push_back({i, layout.joint_torque(i, a), layout.pose(before) + 6 + a,
                         layout.pose(i + 1) + 6 + a, left_of(joint.line->stall_torque, joint),

@@ -27,7 +27,7 @@ struct MotorAtSpeed {
   std::string name;
 };
 
-/// All that have a line, knot by knot.
+/// All that have a line and turn their joint themselves, knot by knot.
 std::vector<MotorAtSpeed> motors_at_speed(const Morphology& morphology, const Layout& layout);
 
 /// All of them, knot by knot; motors without a limit are left out.

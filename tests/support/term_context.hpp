@@ -20,8 +20,9 @@ struct TermSetting {
       link.joint.servo_kp = 40.0;
       link.joint.servo_kd = 0.6;
     }
-    puppy.morphology.links[5].joint.line = MotorLine{0.9, 6.0};
+    puppy.morphology.links[4].joint.line = MotorLine{0.9, 6.0};  // of a servo
     add_pistons(puppy);
+    puppy.morphology.links[8].joint.line = MotorLine{150.0, 0.2};  // of the third piston
     add_soles(puppy);
     if (printed) print_bodies(puppy);
     if (printed) add_thick_capsules(puppy);

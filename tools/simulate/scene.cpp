@@ -83,7 +83,9 @@ double torque_limit(const mjModel& model, int joint) {
 }
 
 /// Of the joints of a scene, from the plugin's lists by actuator.
-std::vector<MotorLine> motor_lines(const mjModel& model, int instance, const JointMap& joints) {
+/// @param tendons of each joint: the linear actuator that moves it, or −1
+std::vector<MotorLine> motor_lines(const mjModel& model, int instance, const JointMap& joints,
+                                   const std::vector<int>& tendons) {
   std::vector<double> torque = numbers(model, instance, "stall_torque"),
                       speed = numbers(model, instance, "no_load_speed");
   std::vector<MotorLine> out(joints.joint.size());
@@ -94,9 +96,10 @@ std::vector<MotorLine> motor_lines(const mjModel& model, int instance, const Joi
     const MotorLine line{torque[std::min(place, torque.size() - 1)],
                          speed[std::min(place, speed.size() - 1)]};
     ++place;
-    if (model.actuator_trntype[a] != mjTRN_JOINT) continue;
+    const bool at_joint = model.actuator_trntype[a] == mjTRN_JOINT;
     for (std::size_t j = 0; j < out.size(); ++j)
-      if (joints.joint[j] == model.actuator_trnid[2L * a]) out[j] = line;
+      if (at_joint ? joints.joint[j] == model.actuator_trnid[2L * a] : tendons[j] == a)
+        out[j] = line;
   }
   return out;
 }
@@ -144,11 +147,11 @@ Scene parse_scene(const std::string& xml, const std::string& name, double gain_s
   }
   set_clock(model, instance, scene);
   scene.joints = map_joints(model, scene.trajectory.joint_names);
-  scene.motor_line = motor_lines(model, instance, scene.joints);
   for (const int joint : scene.joints.joint) {
     scene.torque_limit.push_back(torque_limit(model, joint));
     scene.tendon_actuator.push_back(tendon_actuator(model, joint));
   }
+  scene.motor_line = motor_lines(model, instance, scene.joints, scene.tendon_actuator);
   for (const auto& foot : scene.trajectory.foot_names) {
     const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
     if (geom < 0)

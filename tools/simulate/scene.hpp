@@ -25,7 +25,7 @@ struct Scene {
   JointMap joints;
   std::vector<double>
       torque_limit;  // per joint, of actuator and joint together; infinite if none [N m]
-  std::vector<MotorLine> motor_line;  // per joint, as the plugin has it; zeros: none
+  std::vector<MotorLine> motor_line;  // per joint or its linear actuator, as played; zeros: none
   std::vector<int> tendon_actuator;   // per joint: the linear actuator that moves it, or −1
   std::vector<int> foot_geom;         // per foot of the trajectory
   int start_key = -1;                 // keyframe "gait"

@@ -27,10 +27,14 @@ bool is_at_its_line(const MotorLine& line, double torque, double velocity) {
 }  // namespace
 
 bool is_saturated(const Scene& scene, const mjData& data, std::size_t joint) {
-  const double torque = data.qfrc_actuator[scene.joints.dof[joint]];
-  return std::abs(torque) >= kShare * scene.torque_limit[joint] ||
-         is_at_its_line(scene.motor_line[joint], torque, data.qvel[scene.joints.dof[joint]]) ||
-         pulls_its_most(*scene.model, data, scene.tendon_actuator[joint]);
+  const int dof = scene.joints.dof[joint], rod = scene.tendon_actuator[joint];
+  const double torque = data.qfrc_actuator[dof];
+  if (std::abs(torque) >= kShare * scene.torque_limit[joint]) return true;
+  if (rod < 0) return is_at_its_line(scene.motor_line[joint], torque, data.qvel[dof]);
+  const int output = scene.model->actuator_outadr[rod];
+  return is_at_its_line(scene.motor_line[joint], data.actuator_force[output],
+                        data.actuator_velocity[output]) ||
+         pulls_its_most(*scene.model, data, rod);
 }
 
 }  // namespace legwright

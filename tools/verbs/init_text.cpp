@@ -56,8 +56,10 @@ std::string servo_text(const Servo& servo) {
                                 : "no limit";
   const std::string kp =
       servo.kp < 1e3 ? fmt::format("{:.4g}", servo.kp) : fmt::format("{:.0f}", servo.kp);
-  const std::string line =
-      servo.line ? fmt::format(", none left at {:.3g} rad/s", servo.line->no_load_speed) : "";
+  const std::string line = servo.line
+                               ? fmt::format(", none left at {:.3g} {}", servo.line->no_load_speed,
+                                             linear ? "m/s" : "rad/s")
+                               : "";
   return fmt::format("{:10} kp {} {}", limit + line, kp, linear ? "N/m" : "N m/rad");
 }
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mjcf/assembly/build_robot.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "tests/mjcf/assembly/boxy_dog.hpp"
@@ -59,6 +61,38 @@ TEST(MotorLines, AreRefusedWithTheReason) {
         << data << ": " << refusal(of_joint, data);
   EXPECT_NE(refusal(of_joint, "0.01 6").find("lower its forcerange"), std::string::npos)
       << refusal(of_joint, "0.01 6");
+}
+
+/// Of a linear actuator they are force and speed along it, and none of its hinge.
+TEST(MotorLines, OfLinearActuatorsAreForceAndSpeed) {
+  const std::string xml = test::example_robot("piston_puppy");
+  const auto with = [&](const std::string& data) {
+    std::string text = xml;
+    return parse_robot(text.insert(text.rfind("</mujoco>"),
+                                   "<custom><numeric name=\"legwright_motor/FL_knee\" data=\"" +
+                                       data + "\"/></custom>"),
+                       "piston_puppy.xml");
+  };
+  const RobotModel robot = with("200 0.05");
+  int found = 0;
+  for (const LinearActuator& actuator : robot.morphology.linear_actuators) {
+    const Joint& joint = robot.morphology.links[static_cast<std::size_t>(actuator.joint) + 1].joint;
+    ASSERT_EQ(joint.line.has_value(), joint.name == "FL_knee");
+    if (!joint.line) continue;
+    ++found;
+    EXPECT_EQ(joint.line->stall_torque, 200.0);
+    EXPECT_EQ(joint.line->no_load_speed, 0.05);
+    EXPECT_TRUE(std::isinf(joint.torque_limit)) << "its force is limited";
+  }
+  EXPECT_EQ(found, 1);
+  try {
+    (void)with("20 0.05");
+    FAIL() << "less than its force limit";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("has 20 N at rest, less than the force limit"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(MotorLines, ComeFromTheModulesOfAnAssembly) {

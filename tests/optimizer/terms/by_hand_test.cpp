@@ -220,7 +220,7 @@ void torque_limits(Bench& b) {
   const int slot = b.layout().joint_torque(1, 0);  // 0.6 N m, a tenth of it in hand
   b.expect(1, slot, Vector2d((1.0 - b.x[slot] / 0.54) / 0.3, (1.0 + b.x[slot] / 0.54) / 0.3));
   // One gives 0.9 N m at rest, nothing at 6 rad/s, and a tenth of its torque is in hand, too.
-  const int running = b.layout().joint_torque(1, 4), angle = 6 + 4;
+  const int running = b.layout().joint_torque(1, 3), angle = 6 + 3;
   const double speed =
       (b.x[b.layout().pose(2) + angle] - b.x[b.layout().pose(0) + angle]) / (2.0 * b.h());
   const double used = b.x[running] / 0.81 + speed / 6.0;

@@ -74,6 +74,34 @@ TEST_F(LinearActuatorTerms, ForceHasNoSlackAtItsLimit) {
   EXPECT_GT(residual(*term, z).minCoeff(), 1.0);  // beyond the reach of the barrier
 }
 
+/// Force and speed of the rod share what the motor has, as on the straight line between them.
+TEST_F(LinearActuatorTerms, ForceAtASpeedHasNoSlackOnItsLine) {
+  const std::unique_ptr<Term> term = make("actuator_force");
+  const Morphology& robot = setting_.puppy.morphology;
+  const MotorLine& motor = *robot.links[robot.linear_actuators[2].joint + 1].joint.line;
+  int own = 0;
+  while (term->subject(own, 0) != "piston_2 at its speed") ++own;
+  VectorXd z = at(2, -0.7, 7), r(2);
+  const double arm = robot.leg_length * moment_arm(z.head<3>(), z[3]), share = 0.4,
+               step = setting_.task.gait.time_step();
+  const double rod_speed = share * motor.no_load_speed,
+               force = (1.0 - share) * (1.0 - setting_.task.torque_margin) * motor.stall_torque;
+  z[4] = force * arm;
+  z[5] = -0.7 - rod_speed / arm * step;
+  z[6] = -0.7 + rod_speed / arm * step;
+  term->residual(own, z, r);
+  EXPECT_NEAR(r.minCoeff(), 0.0, 1e-9) << "all that it has left";
+  std::swap(z[5], z[6]);  // pulled out against its force: it brakes
+  term->residual(own, z, r);
+  EXPECT_GT(r.minCoeff(), 0.5);
+  z[4] *= -1.0;
+  term->residual(own, z, r);
+  EXPECT_NEAR(r.minCoeff(), 0.0, 1e-9) << "and the other way round";
+  z[5] = z[6] = -0.7;
+  term->residual(own, z, r);
+  EXPECT_GT(r.minCoeff(), 0.5) << "at rest";
+}
+
 /// Elements that are left out would have cost nothing.
 TEST_F(LinearActuatorTerms, OnlyThoseNearTheirLimitAreActive) {
   const std::unique_ptr<Term> term = make("actuator_force");
@@ -82,14 +110,16 @@ TEST_F(LinearActuatorTerms, OnlyThoseNearTheirLimitAreActive) {
   const auto& elements = term->elements();
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const VectorXd z = term->sample(static_cast<int>(e), random);
-    for (int k = 0; k < 5; ++k) extended[elements[e].slots[k]] = z[k];
+    for (std::size_t k = 0; k < elements[e].slots.size(); ++k)
+      extended[elements[e].slots[k]] = z[static_cast<Eigen::Index>(k)];
   }
   std::vector<int> active;
   ASSERT_TRUE(term->select_active(extended, active));
   std::size_t next = 0, idle = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    VectorXd z(5), r(2);
-    for (int k = 0; k < 5; ++k) z[k] = extended[elements[e].slots[k]];
+    VectorXd z(elements[e].slots.size()), r(2);
+    for (std::size_t k = 0; k < elements[e].slots.size(); ++k)
+      z[static_cast<Eigen::Index>(k)] = extended[elements[e].slots[k]];
     term->residual(static_cast<int>(e), z, r);
     const bool listed = next < active.size() && active[next] == static_cast<int>(e);
     next += listed ? 1 : 0;
