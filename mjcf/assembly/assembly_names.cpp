@@ -46,6 +46,26 @@ std::string servo_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
   return joint_name(limb, joint) + "_servo";
 }
 
+std::string mount_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
+  return joint_name(limb, joint) + "_mount";
+}
+
+std::string lever_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
+  return joint_name(limb, joint) + "_lever";
+}
+
+std::string rod_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
+  return joint_name(limb, joint) + "_rod";
+}
+
+std::string mount_arm_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
+  return mount_name(limb, joint) + "_arm";
+}
+
+std::string lever_arm_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
+  return lever_name(limb, joint) + "_arm";
+}
+
 std::string link_name(const PlacedLimb& limb, const AssemblyJoint& joint) {
   return limb.name + "_" + joint.link;
 }
@@ -79,6 +99,11 @@ std::vector<NameClash> name_clashes(const Assembly& assembly) {
     for (const AssemblyJoint& joint : limb.of->joints) {
       names.add(servo_name(limb, joint), of_limb(limb, "the servo of joint", joint.name), limb.of);
       names.add(link_name(limb, joint), of_limb(limb, "link", joint.link), limb.of);
+      if (joint.is_linear())
+        for (const auto& [name, what] : {std::pair(mount_arm_name(limb, joint), "mount"),
+                                         std::pair(lever_arm_name(limb, joint), "lever")})
+          names.add(name, of_limb(limb, fmt::format("the {} of joint", what).c_str(), joint.name),
+                    limb.of);
       for (const char* const role : {"arm", "boss"})
         if (assembly.link_shape == LinkShape::hull)
           names.add(hull_name(limb, joint, role),

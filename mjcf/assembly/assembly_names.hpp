@@ -13,6 +13,14 @@ namespace legwright {
 std::string joint_name(const PlacedLimb& limb, const AssemblyJoint& joint);
 /// Of the servo's body, and of the motor.
 std::string servo_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+/// Of the pivots of a linear actuator, which are sites: of its body, and of its rod.
+std::string mount_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+std::string lever_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+/// Of the tendon between them.
+std::string rod_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+/// Of the bodies that hold these pivots.
+std::string mount_arm_name(const PlacedLimb& limb, const AssemblyJoint& joint);
+std::string lever_arm_name(const PlacedLimb& limb, const AssemblyJoint& joint);
 /// Of the body of the link that the joint moves.
 std::string link_name(const PlacedLimb& limb, const AssemblyJoint& joint);
 /// Of the body and the mesh of a hull of that link. @param role of the hull

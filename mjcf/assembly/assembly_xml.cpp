@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
+#include "mjcf/assembly/joint_drive.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/assembly/linear_joint.hpp"
 #include "mjcf/assembly/module_words.hpp"
 #include "mjcf/assembly/reflected_inertia.hpp"
+#include "mjcf/assembly/xml_lines.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/printed_robot.hpp"
@@ -23,26 +27,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kShortestCapsule = 1e-3;  // [m]; between nearer joints there is no capsule
-
-/// Collects the lines of a file, indented.
-class XmlLines {
- public:
-  void add(const std::string& line) { text_ += std::string(depth_, ' ') + line + "\n"; }
-  void open(const std::string& line) {
-    add(line);
-    depth_ += 2;
-  }
-  void close(const char* tag) {
-    depth_ -= 2;
-    add(fmt::format("</{}>", tag));
-  }
-  void empty() { text_ += "\n"; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-  std::size_t depth_ = 0;
-};
+constexpr double kPivotRadius = 0.003;     // [m], as drawn
 
 class AssemblyWriter {
  public:
@@ -67,6 +52,7 @@ class AssemblyWriter {
     write_trunk();
     out_.close("worldbody");
     out_.empty();
+    write_tendons();
     write_actuators();
     write_declarations();
     out_.close("mujoco");
@@ -163,10 +149,15 @@ class AssemblyWriter {
     const Vector3d place = k == 0 ? limb.hip : limb.vector(joint.offset);
     out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", servo_name(limb, joint),
                           rounded_words(place)));
-    const ModulePlace servo{servo_pose(joint, towards_above(limb, k)), limb.mirrored};
-    write_module(joint.servo, servo, "servo");
+    const ModulePlace servo{
+        joint.is_linear() ? linear_pose(joint) : servo_pose(joint, towards_above(limb, k)),
+        limb.mirrored};
+    write_module(joint.is_linear() ? without_rod(joint.servo) : joint.servo, servo, "servo");
     declare(joint.servo, servo, "body", servo_name(limb, joint), name);
+    if (joint.is_linear())
+      out_.add(site_element(mount_name(limb, joint), limb.vector(pivots_of(joint).mount)));
     out_.close("body");
+    if (joint.is_linear()) write_mount(limb, joint, place);
     out_.open(
         fmt::format("<body name=\"{}\" pos=\"{}\">", link_name(limb, joint), rounded_words(place)));
     out_.add(joint_element(limb, joint, name));
@@ -186,6 +177,7 @@ class AssemblyWriter {
       out_.add(fmt::format("<geom class=\"connector\" mesh=\"{}\"/>", hull.name));
       out_.close("body");
     }
+    if (joint.is_linear()) write_lever(limb, joint);
     if (last)
       write_foot(limb);
     else
@@ -193,21 +185,77 @@ class AssemblyWriter {
     out_.close("body");
   }
 
+  static std::string site_element(const std::string& name, const Vector3d& place) {
+    return fmt::format("<site name=\"{}\" pos=\"{}\" size=\"{}\" group=\"1\"/>", name,
+                       rounded_words(place), format_number(kPivotRadius));
+  }
+
+  /// What holds the body of a linear actuator: from its pivot straight to the link that carries it.
+  void write_mount(const PlacedLimb& limb, const AssemblyJoint& joint, const Vector3d& place) {
+    const Vector3d mount = limb.vector(pivots_of(joint).mount), above = -limb.vector(joint.offset);
+    const double share = std::clamp(mount.dot(above) / above.squaredNorm(), 0.0, 1.0);
+    const Vector3d from = share * above;
+    if ((mount - from).norm() < kShortestCapsule) return;
+    out_.open(fmt::format("<body name=\"{}\" pos=\"{}\">", mount_arm_name(limb, joint),
+                          rounded_words(place)));
+    out_.add(fmt::format("<geom class=\"link\" fromto=\"{} {}\"/>", rounded_words(from),
+                         rounded_words(mount)));
+    out_.close("body");
+  }
+
+  /// What its rod pulls at, and the rod, which weighs at its pivot.
+  void write_lever(const PlacedLimb& limb, const AssemblyJoint& joint) {
+    const Vector3d lever = limb.vector(pivots_of(joint).lever);
+    const double rod = joint.servo.mass - without_rod(joint.servo).mass;
+    out_.open(fmt::format("<body name=\"{}\">", lever_arm_name(limb, joint)));
+    out_.add(fmt::format("<geom class=\"link\" fromto=\"0 0 0 {}\"/>", rounded_words(lever)));
+    if (rod > 0.0)
+      out_.add(
+          fmt::format("<geom type=\"sphere\" size=\"{}\" pos=\"{}\" mass=\"{}\" "
+                      "material=\"servo\"/>",
+                      format_number(rounded(rod_radius(joint.servo).value_or(kPivotRadius))),
+                      rounded_words(lever), format_number(rounded(rod))));
+    out_.add(site_element(lever_name(limb, joint), lever));
+    out_.close("body");
+  }
+
   std::string joint_element(const PlacedLimb& limb, const AssemblyJoint& joint,
                             const std::string& name) const {
-    const ModuleJoint& servo = *joint.servo.joint;
     std::string out =
         fmt::format("<joint name=\"{}\" axis=\"{}\"", name, rounded_words(limb.hinge(joint.axis)));
-    if (const auto range = joint.range ? joint.range : servo.range)
+    if (const auto range = drive_range(joint))
       out +=
           fmt::format(" range=\"{} {}\"", format_number((*range)[0]), format_number((*range)[1]));
     const auto add = [&](const char* attribute, const std::optional<double>& value) {
       if (value) out += fmt::format(" {}=\"{}\"", attribute, format_number(*value));
     };
-    add("armature", reflected_inertia(servo, assembly_));
-    add("frictionloss", servo.friction);
-    add("damping", servo.damping);
+    add("armature", armature_of(joint, assembly_));
+    if (joint.servo.joint) {
+      add("frictionloss", joint.servo.joint->friction);
+      add("damping", joint.servo.joint->damping);
+    }
     return out + "/>";
+  }
+
+  /// Each rod of a linear actuator, from pivot to pivot; its range is the stroke.
+  void write_tendons() {
+    if (!has_linear_joints(assembly_)) return;
+    out_.open("<tendon>");
+    for (const PlacedLimb& limb : limbs_)
+      for (const AssemblyJoint& joint : limb.of->joints) {
+        if (!joint.is_linear()) continue;
+        const ModuleSlide& slide = *joint.servo.slide;
+        out_.open(
+            fmt::format("<spatial name=\"{}\" range=\"{} {}\" width=\"{}\" material=\"servo\">",
+                        rod_name(limb, joint), format_number(rounded(slide.retracted)),
+                        format_number(rounded(slide.extended())),
+                        format_number(rounded(rod_radius(joint.servo).value_or(kPivotRadius)))));
+        out_.add(fmt::format("<site site=\"{}\"/>", mount_name(limb, joint)));
+        out_.add(fmt::format("<site site=\"{}\"/>", lever_name(limb, joint)));
+        out_.close("spatial");
+      }
+    out_.close("tendon");
+    out_.empty();
   }
 
   void write_foot(const PlacedLimb& limb) {
@@ -237,27 +285,29 @@ class AssemblyWriter {
     for (const PlacedLimb& limb : limbs_)
       for (const AssemblyJoint& joint : limb.of->joints) {
         const double limit = torque_limit(assembly_, joint.servo);
-        const double kp = joint.servo.joint->kp.value_or(limit / kFullTorqueError),
-                     kv = joint.servo.joint->kd.value_or(kDampingTime * kp);
-        out_.add(fmt::format(
-            "<position name=\"{}\" joint=\"{}\" kp=\"{}\" kv=\"{}\" forcerange=\"{} {}\"/>",
-            servo_name(limb, joint), joint_name(limb, joint), format_number(rounded(kp)),
-            format_number(rounded(kv)), format_number(rounded(-limit)),
-            format_number(rounded(limit))));
+        const DriveGains gains = drive_gains(joint, assembly_);
+        const std::string at = joint.is_linear() ? "tendon=\"" + rod_name(limb, joint)
+                                                 : "joint=\"" + joint_name(limb, joint);
+        out_.add(
+            fmt::format("<position name=\"{}\" {}\" kp=\"{}\" kv=\"{}\" forcerange=\"{} {}\"/>",
+                        servo_name(limb, joint), at, format_number(rounded(gains.kp)),
+                        format_number(rounded(gains.kv)), format_number(rounded(-limit)),
+                        format_number(rounded(limit))));
       }
     out_.close("actuator");
   }
 
-  /// Torque at rest and speed without load of each joint whose servo has both.
+  /// Torque at rest and speed without load of each joint whose servo has both; of linear actuators
+  /// force and speed.
   std::vector<std::string> motor_lines() const {
     std::vector<std::string> out;
     for (const PlacedLimb& limb : limbs_)
       for (const AssemblyJoint& joint : limb.of->joints)
-        if (const auto speed = joint.servo.joint->no_load_speed)
+        if (const auto line = drive_line(joint.servo))
           out.push_back(fmt::format("<numeric name=\"{}{}\" data=\"{} {}\"/>", kMotorPrefix,
                                     joint_name(limb, joint),
-                                    format_number(rounded(joint.servo.joint->stall_torque)),
-                                    format_number(rounded(*speed))));
+                                    format_number(rounded(line->stall_torque)),
+                                    format_number(rounded(line->no_load_speed))));
     return out;
   }
 
@@ -281,8 +331,9 @@ class AssemblyWriter {
   void declare_turning_servos() {
     for (const PlacedLimb& limb : limbs_)
       for (const AssemblyJoint& joint : limb.of->joints)
-        out_.add(fmt::format("<text name=\"{}{}\" data=\"joint {}\"/>", kTurnsPrefix,
-                             servo_name(limb, joint), joint_name(limb, joint)));
+        if (!joint.is_linear())
+          out_.add(fmt::format("<text name=\"{}{}\" data=\"joint {}\"/>", kTurnsPrefix,
+                               servo_name(limb, joint), joint_name(limb, joint)));
   }
 
   void place_hulls(const PlacedLimb& limb, std::size_t k, const LinkHulls& hulls) {

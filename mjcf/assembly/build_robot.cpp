@@ -11,6 +11,7 @@
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/assembly/linear_joint.hpp"
 #include "mjcf/assembly/print_bounds.hpp"
 #include "mjcf/assembly/reflected_inertia.hpp"
 #include "mjcf/propose/declare.hpp"
@@ -38,33 +39,33 @@ double standing_height(const Assembly& assembly, const std::filesystem::path& fi
   return std::round(-low * kHeightGrain) / kHeightGrain;
 }
 
-std::size_t joint_count(const Assembly& assembly) {
-  std::size_t count = 0;
-  for (const PlacedLimb& limb : placed_limbs(assembly)) count += limb.of->joints.size();
-  return count;
-}
-
 /// Keyframe `home`: the pose that was found, or the vectors as they are.
 std::string home_key(const Assembly& assembly, double height,
                      const std::optional<StandingPose>& pose) {
-  std::string zeros;
-  for (std::size_t k = 0; k < joint_count(assembly); ++k) zeros += " 0";
+  std::string zeros, controls;
+  for (const PlacedLimb& limb : placed_limbs(assembly))
+    for (const AssemblyJoint& joint : limb.of->joints) {
+      zeros += " 0";
+      controls += " " + (joint.is_linear() ? format_number(rounded(length_at(joint, 0.0))) : "0");
+    }
   const std::string qpos =
       pose ? pose->qpos : fmt::format("0 0 {} 1 0 0 0{}", format_number(height), zeros);
   return fmt::format("<key name=\"home\" qpos=\"{}\" ctrl=\"{}\"/>", qpos,
-                     pose ? pose->ctrl : zeros.substr(1));
+                     pose ? pose->ctrl : controls.substr(1));
 }
 
 /// The links whose printed parts come nearer to the servo that turns them than asked for, and those
 /// for whose modules there is none; of mirror images and copies each.
 std::vector<std::string> notes_on_hulls(const Assembly& assembly) {
-  std::vector<std::string> near, none, out;
+  std::vector<std::string> near, none, sliding, out;
   if (assembly.link_shape == LinkShape::capsule) return out;
   for (const PlacedLimb& limb : placed_limbs(assembly)) {
     const std::vector<LinkHulls> hulls = limb_hulls(assembly, limb);
     for (std::size_t k = 0; k < hulls.size(); ++k) {
       const std::string name = link_name(limb, limb.of->joints[k]);
-      if (hulls[k].hulls.empty())
+      if (at_linear_joint(*limb.of, k))
+        sliding.push_back(name);
+      else if (hulls[k].hulls.empty())
         none.push_back(name);
       else if (hulls[k].clearance < (1.0 - kClearanceMissed) * assembly.link_clearance)
         near.push_back(fmt::format("{} {:.1f} mm", name, 1e3 * hulls[k].clearance));
@@ -80,6 +81,11 @@ std::vector<std::string> notes_on_hulls(const Assembly& assembly) {
         fmt::format("no attachment of the next module faces the horn of {}: capsules are printed "
                     "there; [[attachment]] in the module's file gives one",
                     fmt::join(none, ", ")));
+  if (!sliding.empty())
+    out.push_back(
+        fmt::format("links at linear actuators are capsules, with arms to their pivots: {}; "
+                    "`legwright parts` prints none of them",
+                    fmt::join(sliding, ", ")));
   return out;
 }
 
@@ -89,7 +95,9 @@ std::vector<std::string> notes_on(const Assembly& assembly) {
   for (const AssemblyLimb& limb : assembly.limbs) {
     if (!limb.foot.friction) feet.insert(limb.foot.name);
     for (const AssemblyJoint& joint : limb.joints) {
-      if (!joint.servo.joint->continuous_torque) continuous.insert(joint.servo.name);
+      const bool known = joint.is_linear() ? joint.servo.slide->continuous_force.has_value()
+                                           : joint.servo.joint->continuous_torque.has_value();
+      if (!known) continuous.insert(joint.servo.name);
     }
   }
   std::vector<std::string> out = notes_on_inertia(assembly);
@@ -103,6 +111,38 @@ std::vector<std::string> notes_on(const Assembly& assembly) {
         fmt::format("the friction of {} is not known: {} is assumed, rubber on a dry floor; "
                     "[foot] friction in the module's file gives it",
                     fmt::join(feet, ", "), kFootFriction));
+  return out;
+}
+
+/// Why a proposal is none for a robot with linear actuators: the body of one stays on its mount,
+/// and its pivots lie in a plane square to the joint's axis. Empty where it is one.
+std::string why_not_changed(const Assembly& assembly, const Proposal& proposal) {
+  const auto names = [&](const std::string& name) {
+    return (proposal.binding + " ").find(" " + name + " ") != std::string::npos;
+  };
+  for (const PlacedLimb& limb : placed_limbs(assembly))
+    for (const AssemblyJoint& joint : limb.of->joints) {
+      if (!joint.is_linear()) continue;
+      if (proposal.binding.starts_with("place ") && names(mount_name(limb, joint)))
+        return "the body of the linear actuator stays where mount says";
+      if (proposal.binding.starts_with("axis ") && names(joint_name(limb, joint)))
+        return fmt::format(
+            "the axis of joint {} stays square to the plane in which its linear actuator pushes",
+            joint_name(limb, joint));
+    }
+  return "";
+}
+
+/// What may change, without what linear actuators keep.
+std::vector<Proposal> without_linear(const Assembly& assembly,
+                                     const std::vector<Proposal>& proposals,
+                                     std::vector<std::string>& left_out) {
+  std::vector<Proposal> out;
+  for (const Proposal& proposal : proposals)
+    if (const std::string why = why_not_changed(assembly, proposal); why.empty())
+      out.push_back(proposal);
+    else
+      left_out.push_back(proposal.name + ": " + why);
   return out;
 }
 
@@ -124,12 +164,14 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
                      fmt::format("the robot does not stand: {}; draw its limbs below the trunk, or "
                                  "stretched out downwards, from where a pose is searched for",
                                  proposed.not_standing));
-  const PrintBounds bounds = assembly.print ? print_bounds(assembly, proposed.proposals)
-                                            : PrintBounds{proposed.proposals, {}, {}};
+  std::vector<std::string> left_out = proposed.left_out;
+  const std::vector<Proposal> proposals = without_linear(assembly, proposed.proposals, left_out);
+  const PrintBounds bounds =
+      assembly.print ? print_bounds(assembly, proposals) : PrintBounds{proposals, {}, {}};
   BuiltRobot out;
   out.xml = with_declarations(standing, file, bounds.proposals);
   out.found = propose_parameters(out.xml, file);
-  out.found.left_out = proposed.left_out;
+  out.found.left_out = left_out;
   append(out.found.left_out, bounds.left_out);
   if (pose) out.pose = pose->words;
   for (const std::vector<std::string>& notes :

@@ -88,10 +88,16 @@ LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::s
                     assembly.link_clearance);
 }
 
+bool at_linear_joint(const AssemblyLimb& limb, std::size_t joint) {
+  return limb.joints[joint].is_linear() ||
+         (joint + 1 < limb.joints.size() && limb.joints[joint + 1].is_linear());
+}
+
 std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& placed) {
   std::vector<LinkHulls> out(placed.of->joints.size());
   if (assembly.link_shape == LinkShape::capsule) return out;
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] = hulls_of_link(assembly, placed, k);
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (!at_linear_joint(*placed.of, k)) out[k] = hulls_of_link(assembly, placed, k);
   return out;
 }
 

@@ -24,8 +24,12 @@ LinkEnds link_ends(const PlacedLimb& limb, std::size_t joint);
 /// The hulls of that link as drawn.
 LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint);
 
+/// Whether a linear actuator turns the link that a joint of a limb moves, or the next one: then it
+/// holds a hinge and a pivot in place of a horn, and is a capsule.
+bool at_linear_joint(const AssemblyLimb& limb, std::size_t joint);
+
 /// The printed parts of a limb, by its joints: those of the link that each moves, in the axes of
-/// the limb as the file gives it. None where links are capsules.
+/// the limb as the file gives it. None where links are capsules, and at_linear_joint().
 std::vector<LinkHulls> limb_hulls(const Assembly& assembly, const PlacedLimb& limb);
 
 /// A hull of one limb of the robot as it stands in the file.

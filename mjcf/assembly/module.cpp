@@ -141,6 +141,26 @@ ModuleInertia inertia_of(const Module& module) {
   return out;
 }
 
+Module without_rod(const Module& module) {
+  Module out = module;
+  double whole = 0.0, body = 0.0;
+  for (const OutlineShape& shape : module.outline) {
+    whole += shape.volume();
+    if (!shape.on_rod) body += shape.volume();
+  }
+  std::erase_if(out.outline, [](const OutlineShape& shape) { return shape.on_rod; });
+  out.mass = module.mass * body / whole;
+  return out;
+}
+
+std::optional<double> rod_radius(const Module& module) {
+  std::optional<double> out;
+  for (const OutlineShape& shape : module.outline)
+    if (shape.on_rod)
+      out = std::min(out.value_or(shape.half().minCoeff()), shape.half().minCoeff());
+  return out;
+}
+
 Vector3d ModulePlace::point(const Vector3d& of_module) const {
   const Vector3d placed = pose * of_module;
   return mirrored ? point_in_mirror(placed, Across::y) : placed;
@@ -192,6 +212,9 @@ std::string module_scene(const Module& module) {
   if (module.joint)
     body += arrow(module.joint->position, module.joint->axis, 0.5 * reach, 0.04 * reach,
                   "0.9 0.2 0.15 1");
+  if (module.slide)
+    body += arrow(module.slide->position + module.slide->retracted * module.slide->axis,
+                  module.slide->axis, 0.5 * reach, 0.04 * reach, "0.9 0.2 0.15 1");
   for (const Attachment& at : module.attachments)
     body += arrow(at.position, at.normal, 0.2 * reach, (at.on_horn ? 0.08 : 0.04) * reach,
                   at.on_horn ? "0.95 0.6 0.1 1" : "0.1 0.5 0.9 1");

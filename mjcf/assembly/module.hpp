@@ -11,11 +11,11 @@
 
 namespace legwright {
 
-enum class ModuleKind { servo, foot, trunk, battery, computer, payload };
+enum class ModuleKind { servo, linear, foot, trunk, battery, computer, payload };
 
 /// In the order of the enumerators.
-inline constexpr std::array<std::string_view, 6> kModuleKinds{"servo",   "foot",     "trunk",
-                                                              "battery", "computer", "payload"};
+inline constexpr std::array<std::string_view, 7> kModuleKinds{
+    "servo", "linear", "foot", "trunk", "battery", "computer", "payload"};
 
 /// A box, a cylinder or a ball of a module's outline, in the module's frame.
 struct OutlineShape {
@@ -25,6 +25,7 @@ struct OutlineShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle [m]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // of a cylinder, a unit vector
+  bool on_rod = false;  // of a linear actuator: goes with its rod, drawn retracted
 
   /// [m3]
   double volume() const;
@@ -51,10 +52,30 @@ struct ModuleJoint {
   std::optional<double> kp, kd;                // advice [N m/rad], [N m s/rad]
 };
 
+/// What slides: the rod of a linear actuator, between a pivot on its body and one at the rod's end.
+struct ModuleSlide {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of the pivot on the body [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     // from there to the rod's, a unit vector
+  double retracted = 0.0;                              // between the pivots [m]
+  double stroke = 0.0;                                 // [m]
+  double most_force = 0.0;                             // that it moves, pushing or pulling [N]
+  std::optional<double> stall_force;       // where its line of force and speed begins [N]
+  std::optional<double> continuous_force;  // [N]
+  std::optional<double> no_load_speed;     // [m/s]
+  std::optional<double> backdrive_force;   // that moves it without power [N]
+  std::optional<double> gear_ratio;
+  std::optional<double> reflected_mass;  // of the rotor, as the rod feels it [kg]
+  std::optional<double> kp, kd;          // advice [N/m], [N s/m]
+
+  double middle() const { return retracted + 0.5 * stroke; }              // [m]
+  double extended() const { return retracted + stroke; }                  // [m]
+  double line_force() const { return stall_force.value_or(most_force); }  // [N]
+};
+
 /// Where another part is fixed.
 struct Attachment {
   std::string name;
-  bool on_horn = false;                                // else on the body
+  bool on_horn = false;                                // or rod; else on the body
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // out of the module, a unit vector
   std::string screws;                                  // their size, "M2"; empty: not known
@@ -78,6 +99,7 @@ struct Module {
   std::optional<double> price;    // of one, in whatever currency all prices are
   std::vector<OutlineShape> outline;
   std::optional<ModuleJoint> joint;  // of a servo
+  std::optional<ModuleSlide> slide;  // of a linear actuator
   std::optional<double> friction;    // of a foot's sliding
   std::vector<Attachment> attachments;
   std::vector<std::string> cable;  // attachments at which cables leave
@@ -98,6 +120,11 @@ struct ModuleInertia {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  // about the centre [kg m2]
 };
 ModuleInertia inertia_of(const Module& module);
+
+/// A linear actuator without its rod: the shapes of its body with their share of the mass.
+Module without_rod(const Module& module);
+/// The radius of its rod, by the thinnest shape of it [m]; nothing where none is in the outline.
+std::optional<double> rod_radius(const Module& module);
 
 /// Where a module stands in a body: turned and moved, perhaps mirrored in the x-z plane after that.
 struct ModulePlace {

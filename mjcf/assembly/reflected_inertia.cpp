@@ -6,6 +6,8 @@
 
 #include <set>
 
+#include "mjcf/assembly/linear_joint.hpp"
+
 namespace legwright {
 namespace {
 
@@ -26,11 +28,31 @@ std::optional<double> reflected_inertia(const ModuleJoint& joint, const Assembly
   return std::nullopt;
 }
 
+std::optional<double> armature_of(const AssemblyJoint& joint, const Assembly& assembly) {
+  if (!joint.is_linear()) return reflected_inertia(*joint.servo.joint, assembly);
+  const ModuleSlide& slide = *joint.servo.slide;
+  if (!slide.reflected_mass && assembly.armature) return assembly.armature;
+  const double arm = moment_arm_at(joint, 0.0);
+  if (const auto mass = reflected_mass(slide)) return *mass * arm * arm;
+  return std::nullopt;
+}
+
 std::vector<std::string> notes_on_inertia(const Assembly& assembly) {
-  std::set<std::string> taken, none;
+  std::set<std::string> taken, none, sliding;
   if (!assembly.armature)
     for (const AssemblyLimb& limb : assembly.limbs)
       for (const AssemblyJoint& joint : limb.joints) {
+        if (joint.is_linear()) {
+          const ModuleSlide& slide = *joint.servo.slide;
+          if (slide.reflected_mass) continue;
+          if (const auto mass = reflected_mass(slide))
+            sliding.insert(fmt::format("{:.2g} kg of {}, {:.2g} kg m2 at {}", *mass,
+                                       joint.servo.name, *armature_of(joint, assembly),
+                                       joint.name));
+          else
+            none.insert(joint.servo.name);
+          continue;
+        }
         const ModuleJoint& servo = *joint.servo.joint;
         if (servo.reflected_inertia) continue;
         if (has_rule(servo))
@@ -46,6 +68,12 @@ std::vector<std::string> notes_on_inertia(const Assembly& assembly) {
                     "torque, where fits of geared hobby servos gave {} to {}; armature gives "
                     "another to all of them",
                     fmt::join(taken, ", "), kInertia, kLeastInertia, kMostInertia));
+  if (!sliding.empty())
+    out.push_back(fmt::format(
+        "reflected mass is not known and taken as {}: 0.03 s times the force at rest over the "
+        "speed without load, which fits of geared hobby servos come to; armature gives another to "
+        "all of them",
+        fmt::join(sliding, ", ")));
   if (!none.empty())
     out.push_back(
         fmt::format("the reflected inertia of {} is not known: their joints have no armature, "

@@ -14,6 +14,10 @@ namespace legwright {
 /// any (docs/findings/reflected_inertia.md). None of brushless joints that tell none.
 std::optional<double> reflected_inertia(const ModuleJoint& joint, const Assembly& assembly);
 
+/// The armature of a joint, also of one that a linear actuator turns: of that reflected_mass() at
+/// the moment arm that it has as drawn, where the assembly gives none.
+std::optional<double> armature_of(const AssemblyJoint& joint, const Assembly& assembly);
+
 /// Of which servos it is not known, and what is taken in its place: up to two notes.
 std::vector<std::string> notes_on_inertia(const Assembly& assembly);
 

@@ -39,6 +39,13 @@ Vector3d PlacedLimb::hinge(const Vector3d& of_original) const {
   return mirrored ? turn_in_mirror(of_original, Across::y) : of_original;
 }
 
+bool has_linear_joints(const Assembly& assembly) {
+  return std::any_of(assembly.limbs.begin(), assembly.limbs.end(), [](const AssemblyLimb& limb) {
+    return std::any_of(limb.joints.begin(), limb.joints.end(),
+                       [](const AssemblyJoint& joint) { return joint.is_linear(); });
+  });
+}
+
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly) {
   std::vector<PlacedLimb> out;
   for (const AssemblyLimb& limb : assembly.limbs)
@@ -74,6 +81,12 @@ double link_radius(const Assembly& assembly) {
 }
 
 double torque_limit(const Assembly& assembly, const Module& servo) {
+  if (servo.slide) {
+    const ModuleSlide& slide = *servo.slide;
+    const bool rated = assembly.torque == TorqueLimit::continuous;
+    return assembly.torque_share *
+           (rated ? slide.continuous_force.value_or(slide.most_force) : slide.most_force);
+  }
   const ModuleJoint& joint = *servo.joint;
   const double whole = assembly.torque == TorqueLimit::continuous
                            ? joint.continuous_torque.value_or(joint.stall_torque)

@@ -17,15 +17,21 @@ inline constexpr double kInThePlane = 1e-9;   // [m], of the mirror plane
 inline constexpr double kSameHip = 1e-6;      // [m]; nearer hips are in one place
 inline constexpr double kFootFriction = 0.8;  // of a foot whose module does not tell
 
-/// A servo of a limb and what it moves: the link to the next servo, or to the foot.
+/// A servo or a linear actuator of a limb and what it moves: the link to the next one, or to the
+/// foot.
 struct AssemblyJoint {
-  std::string name;  // of the joint within its limb: "knee"
-  std::string link;  // of the link that it moves: "shank"
-  Module servo;
+  std::string name;                                  // of the joint within its limb: "knee"
+  std::string link;                                  // of the link that it moves: "shank"
+  Module servo;                                      // or linear actuator
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // from the joint above it [m]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitY();   // a unit vector; the horn looks along it
   double roll = 0.0;                                 // of the servo's body about it [rad]
   std::optional<std::array<double, 2>> range;        // [rad]; none: the servo's
+  // Pivots of a linear actuator, from the joint: of its rod on the link that it moves, of its body
+  // on what carries it [m]. None: those of linear_joint.hpp.
+  std::optional<Eigen::Vector3d> lever, mount;
+
+  bool is_linear() const { return servo.kind == ModuleKind::linear; }
 };
 
 /// A limb as the file gives it: once for several, which are moved and mirrored.
@@ -90,6 +96,9 @@ struct PlacedLimb {
   Eigen::Vector3d hinge(const Eigen::Vector3d& of_original) const;
 };
 
+/// Whether a linear actuator turns any joint.
+bool has_linear_joints(const Assembly& assembly);
+
 /// Every limb, in the order of the file; of mirror images the left one first, with L and R behind
 /// their names.
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
@@ -98,8 +107,8 @@ std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
 /// parts that are to be printed as much more as the screws of the servos need around them.
 double link_radius(const Assembly& assembly);
 
-/// Torque limit of a joint [N m]: the share of the torque that is asked for, of the stall torque
-/// where that is the continuous one and not known.
+/// Torque limit of a joint [N m], force limit of a linear actuator [N]: the share of the one that
+/// is asked for, of the stall torque where that is the continuous one and not known.
 double torque_limit(const Assembly& assembly, const Module& servo);
 
 }  // namespace legwright

@@ -186,6 +186,12 @@ def test_what_is_no_robot_of_modules_is_bad_input(examples, dog, tmp_path, capsy
     old.write_text(re.sub(r'<text name="legwright_module.*', '', text), encoding='utf-8')
     assert command.main([str(old), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
     assert 'older Legwright' in capsys.readouterr().err
+    rods = tmp_path / 'rods.xml'
+    sliding = re.sub(r'(_knee_servo" data="\S+) servo ', r'\1 linear ', text)
+    rods.write_text(sliding, encoding='utf-8')
+    assert command.main([str(rods), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT
+    told = capsys.readouterr().err
+    assert 'has linear actuators at FL_knee, FR_knee, HL_knee, HR_knee: the links' in told
     odd = tmp_path / 'odd.xml'
     odd.write_text(text.replace('0.0572 kg | body FL_hip', '0.0572 g | body FL_hip'))
     assert command.main([str(odd), '-o', str(tmp_path / 'a')]) == _command.BAD_INPUT

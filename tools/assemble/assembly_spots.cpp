@@ -244,6 +244,8 @@ bool takes(const AssemblySpot& spot, ModuleKind kind) {
   switch (kind) {
     case ModuleKind::servo:
       return spot.takes == Takes::servo;
+    case ModuleKind::linear:
+      return spot.takes == Takes::servo && spot.as != As::new_limb && spot.item.joint > 0;
     case ModuleKind::foot:
       return spot.takes == Takes::foot;
     case ModuleKind::trunk:

@@ -31,8 +31,9 @@ bool takes(const AssemblySpot& spot, ModuleKind kind);
 /// All of them. New limbs are offered where no other hip is near: at the left front, middle and
 /// hind of the trunk's outline, whose mirror images appear by themselves, at its front and hind
 /// faces, and at the trunk's own attachments that look sideways. A servo goes before each joint but
-/// the first, and behind the last; riders go on the trunk's attachments that look up or down, else
-/// on its faces and into its middle.
+/// the first, and behind the last, and so does a linear actuator, which begins no limb and is no
+/// hip; riders go on the trunk's attachments that look up or down, else on its faces and into its
+/// middle.
 std::vector<AssemblySpot> assembly_spots(const Assembly& assembly);
 
 /// Puts a module there. What is behind an inserted servo stays where it is; behind the last joint

@@ -56,9 +56,11 @@ void replace_trunk(Assembly& assembly, const Module& module) {
 
 void replace_servo(AssemblyLimb& limb, std::size_t joint, const Module& servo) {
   AssemblyJoint& at = limb.joints[joint];
-  const double deeper = depth_behind_horn(servo) - depth_behind_horn(at.servo);
-  if (joint == 0) limb.hip += deeper * at.axis.normalized();
+  if (joint == 0)
+    limb.hip += (depth_behind_horn(servo) - depth_behind_horn(at.servo)) * at.axis.normalized();
   at.servo = servo;
+  at.mount.reset();  // of another length
+  if (!at.is_linear()) at.lever.reset();
 }
 
 void replace_rider(Assembly& assembly, AssemblyPart& part, const Module& module) {

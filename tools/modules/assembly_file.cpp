@@ -9,6 +9,7 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/modules/linear_pivots.hpp"
 #include "tools/modules/table_values.hpp"
 #include "tools/task/task_table.hpp"
 #include "tools/task/toml_text.hpp"
@@ -72,7 +73,10 @@ class AssemblyReader {
              fmt::format("names \"{}\", which is a {}; expected a {}", name,
                          found->module.kind_name(), wanted));
     else
-      refuse_unknown(in, key, name, [&](const Module& other) { return other.kind == kind; });
+      refuse_unknown(in, key, name, [&](const Module& other) {
+        return other.kind == kind ||
+               (in.full(key) == "limb.joint.servo" && other.kind == ModuleKind::linear);
+      });
     return nullptr;
   }
 
@@ -172,12 +176,18 @@ class AssemblyReader {
     const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
     if (name && !found)
       refuse_unknown(in, "module", *name,
-                     [](const Module& other) { return other.kind != ModuleKind::servo; });
+                     [](const Module& other) { return other.kind > ModuleKind::linear; });
     if (found && found->module.kind == ModuleKind::servo)
       refuse(in, "module",
              fmt::format("names \"{}\", a servo, which stands in a limb's joint; expected what "
                          "rides on the trunk",
                          *name));
+    if (found && found->module.kind == ModuleKind::linear)
+      refuse(
+          in, "module",
+          fmt::format("names \"{}\", a linear actuator, which stands in a limb's joint; expected "
+                      "what rides on the trunk",
+                      *name));
     if (found) part.module = found->module;
     if (const auto position = in.numbers("position")) part.position = vector_of(*position);
     in.finish();
@@ -318,18 +328,31 @@ class AssemblyReader {
     if (offset) joint.offset = vector_of(*offset);
     if (first && offset && joint.offset.norm() > 0.0)
       refuse(in, "offset", "is of the first joint, which is where hip says; take it out");
-    read_servo(in, joint);
+    const bool turned = read_servo(in, joint);
     joint.roll = in.number("roll").value_or(0.0);
     joint.range = angle_range_in(in, "range", problems_);
+    if (turned) read_linear_pivots(in, problems_, first, joint);
+    if (joint.is_linear() && out_.print)
+      refuse(in, "servo",
+             fmt::format("names {}, a linear actuator, beside [print]: the links at one are not "
+                         "printed, so nothing fits them to a bed; take [print] out",
+                         joint.servo.name));
     in.finish();
     limb.joints.push_back(joint);
   }
 
-  void read_servo(TaskTable& in, AssemblyJoint& joint) {
-    const Module* own = module_of(in, "servo", ModuleKind::servo);
-    if (const Module* servo = own ? own : servo_) joint.servo = *servo;
+  /// What turns a joint: a servo or a linear actuator. @return whether it is known
+  bool read_servo(TaskTable& in, AssemblyJoint& joint) {
+    const auto name = in.text("servo");
+    const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
+    const bool linear = found && found->module.kind == ModuleKind::linear;
+    const Module* own = linear ? &found->module
+                        : name ? module_named(in, "servo", *name, ModuleKind::servo)
+                               : servo_;
+    if (own) joint.servo = *own;
     if (!in.has("servo") && !root_.has("servo"))
       in.require(false, "servo", "servo = \"XL430-W250\", here or at the top of the file");
+    return own != nullptr;
   }
 
   toml::table toml_;

@@ -31,7 +31,8 @@ std::vector<TaskKey> keys_of_the_assembly() {
       number_key("trunk.mass", {0.0, 1000.0, true, false, "kg"}, "none", "0.4", "Of that box."),
       tables_key("part", "none", "[{module = \"lipo_3s_2200\"}]",
                  "`[[part]]`, once for each thing that rides on the trunk."),
-      text_key("part.module", "needed", "\"lipo_3s_2200\"", "A module that is no servo."),
+      text_key("part.module", "needed", "\"lipo_3s_2200\"",
+               "A module that is no servo and no linear actuator."),
       numbers_key("part.position", kPlaceInRobot, 3, "`[0, 0, 0]`", "[0.0, 0.0, 0.02]",
                   "In the trunk's frame."),
       text_key(
@@ -88,11 +89,22 @@ std::vector<TaskKey> keys_of_limbs() {
       numbers_key("limb.joint.offset", kPlaceInRobot, 3, "needed but of the first",
                   "[0.0, 0.0, -0.08]", "From the joint above it."),
       text_key("limb.joint.servo", "`servo` of the file", "\"XM430-W350\"",
-               "Module of the kind `servo`."),
-      numbers_key("limb.joint.range", kAngleRangeOfJoint, 2, "the servo's", "[-1.5, 1.5]",
-                  "Least and largest angle; zero is as the vectors say."),
-      number_key("limb.joint.roll", {-7.0, 7.0, false, false, "rad"}, "0", "1.5708",
-                 "Turns the servo's body about its axis; at 0 it lies towards the joint above."),
+               "Module of the kind `servo`; of the kind `linear` below the first joint."),
+      numbers_key(
+          "limb.joint.lever", kPlaceInRobot, 3,
+          "half the stroke to the front, square to axis and link above", "[0.015, 0.0, 0.0]",
+          "Of a linear actuator: its rod's pivot on the link that it moves, from the joint."),
+      numbers_key("limb.joint.mount", kPlaceInRobot, 3,
+                  "from the lever along the link above, at half the stroke", "[0.02, 0.0, 0.13]",
+                  "Of a linear actuator: its body's pivot on the link above, from the joint."),
+      numbers_key("limb.joint.range", kAngleRangeOfJoint, 2, "the servo's, the stroke's",
+                  "[-1.5, 1.5]",
+                  "Least and largest angle; zero is as the vectors say. Of a linear actuator's "
+                  "joint what its stroke allows, or less."),
+      number_key(
+          "limb.joint.roll", {-7.0, 7.0, false, false, "rad"}, "0", "1.5708",
+          "Turns the servo's body about its axis; at 0 it lies towards the joint above. A linear "
+          "actuator turns about its rod; at 0 its longer side is away from the joint."),
   };
 }
 

@@ -25,11 +25,13 @@ std::string list(const Vector3d& v) {
 std::string common_servo(const Assembly& assembly) {
   std::map<std::string, int> counts;
   for (const AssemblyLimb& limb : assembly.limbs)
-    for (const AssemblyJoint& joint : limb.joints) ++counts[joint.servo.name];
+    for (const AssemblyJoint& joint : limb.joints)
+      if (!joint.is_linear()) ++counts[joint.servo.name];
   std::string best;
   for (const AssemblyLimb& limb : assembly.limbs)
     for (const AssemblyJoint& joint : limb.joints)
-      if (best.empty() || counts[joint.servo.name] > counts[best]) best = joint.servo.name;
+      if (!joint.is_linear() && (best.empty() || counts[joint.servo.name] > counts[best]))
+        best = joint.servo.name;
   return best;
 }
 
@@ -128,6 +130,8 @@ class AssemblyText {
     line("axis", list(rounded(joint.axis)));
     if (!first) line("offset", list(joint.offset));
     if (joint.servo.name != servo_) line("servo", quoted(joint.servo.name));
+    if (joint.lever) line("lever", list(*joint.lever));
+    if (joint.mount) line("mount", list(*joint.mount));
     if (joint.range)
       line("range", fmt::format("[{}, {}]", format_number((*joint.range)[0]),
                                 format_number((*joint.range)[1])));

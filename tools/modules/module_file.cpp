@@ -9,6 +9,8 @@
 #include <set>
 
 #include "tools/files/nearest_word.hpp"
+#include "tools/modules/module_figures.hpp"
+#include "tools/modules/slide_table.hpp"
 #include "tools/modules/table_values.hpp"
 #include "tools/task/task_table.hpp"
 #include "tools/task/toml_text.hpp"
@@ -17,31 +19,6 @@ namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Figures that must be sourced or assumed where they are given.
-constexpr std::array<std::string_view, 17> kFigures{"mass",
-                                                    "cable",
-                                                    "voltage",
-                                                    "outline",
-                                                    "joint.position",
-                                                    "joint.stall_torque",
-                                                    "joint.continuous_torque",
-                                                    "joint.no_load_speed",
-                                                    "joint.gear_ratio",
-                                                    "joint.reflected_inertia",
-                                                    "joint.friction",
-                                                    "joint.damping",
-                                                    "joint.range",
-                                                    "joint.kp",
-                                                    "joint.kd",
-                                                    "foot.friction",
-                                                    "attachment.screws"};
-
-/// Those that a servo gives or says to be unknown.
-constexpr std::array<std::string_view, 8> kServoFigures{
-    "voltage",          "joint.continuous_torque", "joint.no_load_speed",
-    "joint.gear_ratio", "joint.reflected_inertia", "joint.friction",
-    "joint.range",      "attachment.screws"};
 
 constexpr double kInThePlaneOfHoles = 1e-5;  // [m]
 
@@ -74,6 +51,7 @@ class ModuleReader {
     read_name_and_kind();
     read_outline();
     read_joint();
+    read_slide();
     read_foot();
     for (const toml::table* at : root_.tables("attachment")) read_attachment(at);
     read_cable();
@@ -111,7 +89,7 @@ class ModuleReader {
 
   std::vector<std::string> figures(TaskTable& in, std::string_view key) {
     std::vector<std::string> words = in.names(key).value_or(std::vector<std::string>{});
-    const std::vector<std::string> known(kFigures.begin(), kFigures.end());
+    const std::vector<std::string> known(module_figures().begin(), module_figures().end());
     for (const std::string& word : words) {
       if (std::find(known.begin(), known.end(), word) != known.end()) continue;
       const std::string guess = nearest(word, known);
@@ -144,7 +122,8 @@ class ModuleReader {
     note("voltage", module.voltage.has_value());
   }
 
-  bool is_servo() const { return kind_known_ && out_.module.kind == ModuleKind::servo; }
+  bool is_a(ModuleKind kind) const { return kind_known_ && out_.module.kind == kind; }
+  bool is_servo() const { return is_a(ModuleKind::servo); }
 
   void read_outline() {
     const std::vector<const toml::table*> tables = root_.tables("outline");
@@ -171,6 +150,7 @@ class ModuleReader {
           shape.size[static_cast<Eigen::Index>(k)] = (*size)[k];
       if (const auto place = in.numbers("position")) shape.position = vector_of(*place);
       shape.axis = direction_in(in, "axis", problems_).value_or(Vector3d::UnitZ());
+      shape.on_rod = read_on(in, {"body", "rod"}) == 1;
       in.finish();
       out_.module.outline.push_back(shape);
     }
@@ -210,9 +190,46 @@ class ModuleReader {
                     fmt::format("is {}, above the stall torque of {}; expected no more",
                                 *joint.continuous_torque, *stall));
     in.finish();
-    for (const std::string_view figure : kFigures)
+    for (const std::string_view figure : module_figures())
       if (figure.starts_with("joint.")) note(figure, toml->contains(figure.substr(6)));
     out_.module.joint = joint;
+  }
+
+  /// On which part of a module something is: the body, or one that moves, which its kind must have.
+  std::size_t read_on(TaskTable& in, const std::vector<std::string_view>& parts) {
+    const std::string word = in.text("on").value_or("body");
+    const auto found = std::find(parts.begin(), parts.end(), word);
+    if (found == parts.end())
+      problems_.add(in.line_of("on"), in.full("on"),
+                    fmt::format("is \"{}\"; expected one of {}", word, fmt::join(parts, ", ")));
+    const ModuleKind kind = word == "rod" ? ModuleKind::linear : ModuleKind::servo;
+    if (word != "body" && found != parts.end() && kind_known_ && !is_a(kind))
+      problems_.add(
+          in.line_of("on"), in.full("on"),
+          fmt::format("is \"{}\", and a {} has none; take it out", word, out_.module.kind_name()));
+    return found == parts.end() ? 0 : static_cast<std::size_t>(found - parts.begin());
+  }
+
+  void read_slide() {
+    const toml::table* toml = root_.table("slide");
+    const bool linear = is_a(ModuleKind::linear);
+    root_.require(toml != nullptr || !linear, "slide",
+                  "[slide] with position, retracted_length = 0.118, stroke = 0.05 and max_force = "
+                  "50.0");
+    if (!toml) return;
+    if (!linear && kind_known_)
+      problems_.add(root_.line_of("slide"), "slide",
+                    fmt::format("is for linear actuators, and this is a {}; take it out",
+                                out_.module.kind_name()));
+    TaskTable in = table(toml, "slide");
+    out_.module.slide = read_slide_table(in, problems_, linear);
+    for (const std::string_view figure : module_figures())
+      if (figure.starts_with("slide.")) note(figure, toml->contains(figure.substr(6)));
+    const auto& outline = out_.module.outline;
+    if (std::all_of(outline.begin(), outline.end(), [](const auto& each) { return each.on_rod; }) &&
+        !outline.empty())
+      problems_.add(root_.line_of("outline"), "outline.on",
+                    "puts all of its shape on the rod; expected one shape on the body at least");
   }
 
   void read_foot() {
@@ -235,8 +252,7 @@ class ModuleReader {
     if (!at.name.empty() && !is_plain_name(at.name, "."))
       problems_.add(in.line_of("name"), "attachment.name",
                     fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", at.name));
-    constexpr std::array<std::string_view, 2> kParts{"body", "horn"};
-    at.on_horn = choice(in, "on", in.text("on").value_or("body"), kParts) == 1;
+    at.on_horn = read_on(in, {"body", "horn", "rod"}) > 0;
     const auto position = in.numbers("position");
     in.require(position.has_value(), "position", "position = [0.0, 0.0, -0.017]");
     if (position) at.position = vector_of(*position);
@@ -328,13 +344,11 @@ class ModuleReader {
 
   /// A figure is given with a source or an assumption, or it is unknown.
   void check_figures() {
-    for (const std::string_view listed : kFigures) {
+    for (const std::string_view listed : module_figures()) {
       const std::string figure(listed);
       const bool given = given_.contains(figure);
       const bool unknown =
           std::find(out_.unknown.begin(), out_.unknown.end(), figure) != out_.unknown.end();
-      const bool of_servo = is_servo() && std::find(kServoFigures.begin(), kServoFigures.end(),
-                                                    listed) != kServoFigures.end();
       if (given && !told(figure))
         problems_.add(line_of(figure), figure,
                       "has no source; name it in the figures of a [[source]], or of an "
@@ -346,7 +360,7 @@ class ModuleReader {
       if (given && unknown)
         problems_.add(line_of("unknown"), "unknown",
                       fmt::format("names \"{}\", which is given; take the name out", figure));
-      if (!given && !unknown && of_servo)
+      if (!given && !unknown && kind_known_ && is_asked_for(out_.module.kind, listed))
         problems_.add_missing(0, figure,
                               "is neither given nor said to be unknown; give it with its source, "
                               "or name it in unknown = [...]");

@@ -14,7 +14,9 @@ std::vector<TaskKey> keys_of_the_module() {
       text_key("name", "needed", "\"XL430-W250\"",
                "By which assemblies name it: letters, digits, `_`, `-` and `.`."),
       text_key("kind", "needed", "\"servo\"",
-               "`servo`, `foot`, `trunk`, `battery`, `computer` or `payload`."),
+               "`servo`, `linear` (an actuator whose rod slides), `foot`, `trunk`, `battery`, "
+               "`computer` or "
+               "`payload`."),
       text_key("maker", "needed", "\"ROBOTIS\"", "Who makes it."),
       text_key("about", "none", "\"hobby servo with a serial bus\"", "A sentence for people."),
       number_key("mass", {0.0, 100.0, true, false, "kg"}, "needed", "0.0572",
@@ -35,6 +37,8 @@ std::vector<TaskKey> keys_of_the_module() {
                   "Of its middle, in the module's frame."),
       numbers_key("outline.axis", kDirectionRange, 3, "`[0, 0, 1]`", "[0.0, 1.0, 0.0]",
                   "Direction of a cylinder; of any length."),
+      text_key("outline.on", "`\"body\"`", "\"rod\"",
+               "`body`, or `rod` of a linear actuator, drawn retracted."),
       names_key("unknown", "none", "[\"joint.friction\"]",
                 "Figures that no source gives. What a module of its kind may have must be given "
                 "or stand here."),
@@ -72,13 +76,51 @@ std::vector<TaskKey> keys_of_the_joint() {
   };
 }
 
+std::vector<TaskKey> keys_of_the_slide() {
+  constexpr Range kForce{0.0, 1e5, true, false, "N"};
+  return {
+      numbers_key("slide.position", kPlaceInModule, 3, "needed", "[0.0, 0.0, -0.05]",
+                  "Of the pivot on its body: the middle of the hole there."),
+      numbers_key("slide.axis", kDirectionRange, 3, "`[0, 0, 1]`", "[0.0, 0.0, 1.0]",
+                  "From there to the pivot at the rod's end; of any length."),
+      number_key("slide.retracted_length", {0.0, 5.0, true, false, "m"}, "needed", "0.118",
+                 "Between both pivots with the rod in: hole to hole."),
+      number_key("slide.stroke", {0.0, 5.0, true, false, "m"}, "needed", "0.05",
+                 "How far the rod comes out."),
+      number_key("slide.max_force", kForce, "needed", "50.0",
+                 "The most that it moves, pushing or pulling: what gears, screw or current allow."),
+      number_key("slide.stall_force", kForce, "`max_force`", "100.0",
+                 "Where the straight line of force and speed would begin, at rest."),
+      number_key("slide.continuous_force", kForce, "none", "20.0",
+                 "Rated force: what it moves as long as one likes."),
+      number_key("slide.no_load_speed", {0.0, 100.0, true, false, "m/s"}, "none", "0.032",
+                 "Of the rod."),
+      number_key("slide.backdrive_force", {0.0, 1e5, false, false, "N"}, "none", "31.0",
+                 "That moves the rod without power; zero: it does not hold by itself. For people: "
+                 "no robot has it."),
+      number_key("slide.gear_ratio", {0.0, 10000.0, true, false, ""}, "none", "35.0",
+                 "Of the gears before the screw."),
+      number_key("slide.reflected_mass", {0.0, 1e6, true, false, "kg"},
+                 "0.03 s times `stall_force` over `no_load_speed`", "90.0",
+                 "Of the rotor, as the rod feels it."),
+      number_key("slide.kp", {0.0, 1e9, true, false, "N/m"},
+                 "force limit / (0.0375 rad times the moment arm)", "90000.0",
+                 "Advice for its gain."),
+      number_key("slide.kd", {0.0, 1e8, true, false, "N s/m"},
+                 "0.015 s times the gain, or half of what would stop all swinging", "900.0",
+                 "Advice for its damping gain."),
+  };
+}
+
 std::vector<TaskKey> keys_of_attachments_and_sources() {
   return {
       tables_key("attachment", "none",
                  "[{name = \"back\", position = [0, 0, -0.01], normal = [0, 0, -1]}]",
                  "`[[attachment]]`, once for each place where another part is fixed."),
       text_key("attachment.name", "needed", "\"back\"", "Of the place."),
-      text_key("attachment.on", "`\"body\"`", "\"horn\"", "`body`, or `horn`, which turns."),
+      text_key("attachment.on", "`\"body\"`", "\"horn\"",
+               "`body`, or what moves: `horn` of a servo, `rod` of a linear "
+               "actuator, drawn retracted."),
       numbers_key("attachment.position", kPlaceInModule, 3, "needed", "[0.0, 0.0, -0.017]",
                   "Its middle."),
       numbers_key("attachment.normal", kDirectionRange, 3, "needed", "[0.0, 0.0, -1.0]",
@@ -123,8 +165,8 @@ std::vector<TaskKey> keys_of_attachments_and_sources() {
 const std::vector<TaskKey>& module_keys() {
   static const std::vector<TaskKey> keys = [] {
     std::vector<TaskKey> all;
-    for (const auto& part :
-         {keys_of_the_module(), keys_of_the_joint(), keys_of_attachments_and_sources()})
+    for (const auto& part : {keys_of_the_module(), keys_of_the_joint(), keys_of_the_slide(),
+                             keys_of_attachments_and_sources()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

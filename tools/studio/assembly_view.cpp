@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
+#include "mjcf/assembly/linear_joint.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/text/compile.hpp"
 #include "tools/assemble/assembly_item.hpp"
@@ -78,8 +80,11 @@ Json joint_json(const Assembly& assembly, std::size_t index, std::size_t k, cons
           {"axis", list(joint.axis)},
           {"roll", joint.roll},
           {"range", range_json(joint.range)},
-          {"servo_range", range_json(joint.servo.joint->range)},
-          {"torque", torque_limit(assembly, joint.servo)}};
+          {"servo_range",
+           range_json(joint.is_linear() ? linear_range(joint) : joint.servo.joint->range)},
+          {"linear", joint.is_linear()},
+          {"torque", torque_limit(assembly, joint.servo) *
+                         (joint.is_linear() ? std::abs(moment_arm_at(joint, 0.0)) : 1.0)}};
 }
 
 Json limb_json(const Assembly& assembly, std::size_t index) {
@@ -157,13 +162,17 @@ Json palette_json(const ModuleLibrary& library) {
   for (const ModuleFile& file : library.modules()) {
     const Module& module = file.module;
     const auto& joint = module.joint;
+    const auto& slide = module.slide;
     out.push_back({{"name", module.name},
                    {"kind", module.kind_name()},
                    {"maker", module.maker},
                    {"about", module.about},
                    {"mass", module.mass},
                    {"stall_torque", joint ? Json(joint->stall_torque) : Json(nullptr)},
-                   {"no_load_speed", joint ? or_null(joint->no_load_speed) : Json(nullptr)}});
+                   {"no_load_speed", joint ? or_null(joint->no_load_speed) : Json(nullptr)},
+                   {"max_force", slide ? Json(slide->most_force) : Json(nullptr)},
+                   {"stroke", slide ? Json(slide->stroke) : Json(nullptr)},
+                   {"rod_speed", slide ? or_null(slide->no_load_speed) : Json(nullptr)}});
   }
   return {{"modules", out}};
 }

@@ -15,7 +15,8 @@ namespace legwright {
 Json assembly_json(const Assembly& assembly, MeshStore& meshes);
 
 /// What there is to choose from, sorted by kind, then by name: {modules: [{name, kind, maker,
-/// about, mass, stall_torque, no_load_speed}]}.
+/// about, mass, stall_torque, no_load_speed, max_force, stroke, rod_speed}]}; what a kind has not
+/// is null.
 Json palette_json(const ModuleLibrary& library);
 
 /// A module by itself: {bodies, geoms, poses}.

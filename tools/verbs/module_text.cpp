@@ -33,6 +33,17 @@ std::string servo_row(const ModuleFile& file) {
                      number_or_dash(joint.gear_ratio), number_or_dash(joint.reflected_inertia));
 }
 
+std::string linear_row(const ModuleFile& file) {
+  const Module& module = file.module;
+  const ModuleSlide& slide = *module.slide;
+  return fmt::format("  {:<13} {:<9} {:>6.4g}  {:<20} {:>5.4g} {:>6.3g} {:>6} {:>7} {:>6} {:>8}\n",
+                     module.name, module.maker, kGrams * module.mass, size_text(module),
+                     module.voltage.value_or(0.0), slide.most_force,
+                     number_or_dash(slide.continuous_force),
+                     number_or_dash(slide.no_load_speed, kMillimetres),
+                     number_or_dash(slide.gear_ratio), number_or_dash(kMillimetres * slide.stroke));
+}
+
 std::string other_row(const ModuleFile& file) {
   const Module& module = file.module;
   return fmt::format("  {:<17} {:<9} {:>6.4g}  {:<20} {}\n", module.name, module.maker,
@@ -75,8 +86,38 @@ std::string joint_lines(const ModuleFile& file) {
   return out;
 }
 
+std::string slide_lines(const ModuleFile& file) {
+  const ModuleSlide& slide = *file.module.slide;
+  std::string out;
+  const auto add = [&](const char* key, const std::optional<double>& value, const char* unit) {
+    if (value) out += figure_line(file, key, fmt::format("{:.5g}{}", *value, unit));
+  };
+  const Eigen::Vector3d at = kMillimetres * slide.position;
+  out += figure_line(file, "slide.position",
+                     fmt::format("{:.4g} {:.4g} {:.4g} mm", at.x(), at.y(), at.z()));
+  add("slide.retracted_length", kMillimetres * slide.retracted, " mm");
+  add("slide.stroke", kMillimetres * slide.stroke, " mm");
+  add("slide.max_force", slide.most_force, " N");
+  add("slide.stall_force", slide.stall_force, " N");
+  add("slide.continuous_force", slide.continuous_force, " N");
+  if (slide.no_load_speed)
+    out += figure_line(file, "slide.no_load_speed",
+                       fmt::format("{:.4g} mm/s", kMillimetres * *slide.no_load_speed));
+  add("slide.backdrive_force", slide.backdrive_force, " N");
+  add("slide.gear_ratio", slide.gear_ratio, "");
+  add("slide.reflected_mass", slide.reflected_mass, " kg");
+  add("slide.kp", slide.kp, " N/m");
+  add("slide.kd", slide.kd, " N s/m");
+  return out;
+}
+
 std::string screw_words(const Attachment& at) {
   return fmt::format("{} x {}", at.holes.size(), at.screws);
+}
+
+/// On which part of a module an attachment is.
+const char* moving_part(const Module& module, const Attachment& at) {
+  return !at.on_horn ? "body" : module.slide ? "rod" : "horn";
 }
 
 std::string attachment_lines(const Module& module) {
@@ -84,7 +125,7 @@ std::string attachment_lines(const Module& module) {
   for (const Attachment& at : module.attachments) {
     const Eigen::Vector3d place = kMillimetres * at.position;
     out += fmt::format("  {:<10} {:<5} at {:.4g} {:.4g} {:.4g} mm{}\n", at.name,
-                       at.on_horn ? "horn" : "body", place.x(), place.y(), place.z(),
+                       moving_part(module, at), place.x(), place.y(), place.z(),
                        at.screws.empty() ? "" : ": " + screw_words(at));
   }
   if (!module.cable.empty())
@@ -128,6 +169,22 @@ Json joint_json(const ModuleJoint& joint) {
           {"kd_nms_rad", optional_json(joint.kd)}};
 }
 
+Json slide_json(const ModuleSlide& slide) {
+  return {{"position_m", vector_json(slide.position)},
+          {"axis", vector_json(slide.axis)},
+          {"retracted_length_m", slide.retracted},
+          {"stroke_m", slide.stroke},
+          {"max_force_n", slide.most_force},
+          {"stall_force_n", optional_json(slide.stall_force)},
+          {"continuous_force_n", optional_json(slide.continuous_force)},
+          {"no_load_speed_m_s", optional_json(slide.no_load_speed)},
+          {"backdrive_force_n", optional_json(slide.backdrive_force)},
+          {"gear_ratio", optional_json(slide.gear_ratio)},
+          {"reflected_mass_kg", optional_json(slide.reflected_mass)},
+          {"kp_n_m", optional_json(slide.kp)},
+          {"kd_ns_m", optional_json(slide.kd)}};
+}
+
 }  // namespace
 
 std::string module_table(const std::vector<ModuleFile>& modules) {
@@ -136,13 +193,18 @@ std::string module_table(const std::vector<ModuleFile>& modules) {
     std::string rows;
     for (const ModuleFile& file : modules)
       if (file.module.kind == kind)
-        rows += kind == ModuleKind::servo ? servo_row(file) : other_row(file);
+        rows += kind == ModuleKind::servo    ? servo_row(file)
+                : kind == ModuleKind::linear ? linear_row(file)
+                                             : other_row(file);
     if (rows.empty()) return;
     out += out.empty() ? "" : "\n";
     const std::string_view name = kModuleKinds[static_cast<std::size_t>(kind)];
     if (kind == ModuleKind::servo)
       out += fmt::format("  {:<13} {:<9} {:>6}  {:<20} {:>5} {:>6} {:>6} {:>7} {:>6} {:>8}\n", name,
                          "maker", "g", "mm", "V", "N m", "cont.", "rad/s", "ratio", "kg m2");
+    else if (kind == ModuleKind::linear)
+      out += fmt::format("  {:<13} {:<9} {:>6}  {:<20} {:>5} {:>6} {:>6} {:>7} {:>6} {:>8}\n", name,
+                         "maker", "g", "mm", "V", "N", "cont.", "mm/s", "ratio", "stroke");
     else
       out += fmt::format("  {:<17} {:<9} {:>6}  {:<20} what\n", name, "maker", "g", "mm");
     out += rows;
@@ -162,6 +224,7 @@ std::string module_page(const ModuleFile& file) {
   if (module.price) out += fmt::format("  {:<24} {:.2f}\n", "price", *module.price);
   out += figure_line(file, "outline", size_text(module) + " mm");
   if (module.joint) out += joint_lines(file);
+  if (module.slide) out += slide_lines(file);
   if (module.friction)
     out += figure_line(file, "foot.friction", fmt::format("{:.3g}", *module.friction));
   return out + attachment_lines(module) + source_lines(file);
@@ -176,12 +239,13 @@ Json to_json(const ModuleFile& file) {
     outline.push_back({{"shape", kShapes[static_cast<std::size_t>(shape.type)]},
                        {"size_m", vector_json(shape.size)},
                        {"position_m", vector_json(shape.position)},
-                       {"axis", vector_json(shape.axis)}});
+                       {"axis", vector_json(shape.axis)},
+                       {"on", shape.on_rod ? "rod" : "body"}});
   for (const Attachment& at : module.attachments) {
     Json holes = Json::array();
     for (const Eigen::Vector3d& hole : at.holes) holes.push_back(vector_json(hole));
     attachments.push_back({{"name", at.name},
-                           {"on", at.on_horn ? "horn" : "body"},
+                           {"on", moving_part(module, at)},
                            {"position_m", vector_json(at.position)},
                            {"normal", vector_json(at.normal)},
                            {"screws", at.screws.empty() ? Json(nullptr) : Json(at.screws)},
@@ -204,6 +268,7 @@ Json to_json(const ModuleFile& file) {
           {"price", optional_json(module.price)},
           {"outline", outline},
           {"joint", module.joint ? joint_json(*module.joint) : Json(nullptr)},
+          {"slide", module.slide ? slide_json(*module.slide) : Json(nullptr)},
           {"foot_friction", optional_json(module.friction)},
           {"attachments", attachments},
           {"cable", module.cable},

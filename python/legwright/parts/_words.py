@@ -141,11 +141,25 @@ def _bed(data: str) -> tuple[float, float]:
     return float(found[0]), float(found[1])
 
 
+def _refuse_linear(file: Path, modules: list[ModuleWords]) -> None:
+    """Raises InputError for a robot with linear actuators, naming what of it is not printed."""
+    joints = [module.joint for module in modules if module.kind == 'linear']
+    if not joints:
+        return
+    names = ', '.join(str(joint) for joint in joints)
+    message = (
+        f'has linear actuators at {names}: the links above and below these joints are capsules '
+        'with arms to the pivots, for which no printable parts are made, nor are hinges; so no '
+        'part of this robot is. Draw those links yourself, or let servos turn these joints'
+    )
+    raise InputError(f'{file}: {message}', str(file), 0, '', message)
+
+
 def read_words(file: Path) -> RobotWords:
     """The declarations of a robot's file.
 
-    Raises IoError where it cannot be read, InputError where it has no connector or one of its
-    declarations is not as `legwright build` writes it: all that are wrong at once.
+    Raises IoError where it cannot be read, InputError where it has linear actuators, no connector,
+    or one of its declarations is not as `legwright build` writes it: all that are wrong at once.
     """
     try:
         root = ElementTree.fromstring(file.read_bytes())
@@ -175,6 +189,7 @@ def read_words(file: Path) -> RobotWords:
             wrong.append(InputError(f'{file}: {where}: {message}', str(file), 0, where, message))
     if wrong:
         raise together(wrong)
+    _refuse_linear(file, modules)
     if not connectors:
         message = (
             'has no connector, so there is nothing to print: `legwright build assembly.toml -o '

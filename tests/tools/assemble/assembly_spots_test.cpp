@@ -112,5 +112,30 @@ TEST(AssemblySpots, ALimbIsCopiedWithAllThatItHas) {
   EXPECT_THROW(put_copy(dog, "limb/0/end", 0), InputError);
 }
 
+/// A linear actuator turns what hangs on a link: it begins no limb and is no hip.
+TEST(AssemblySpots, ALinearActuatorGoesBelowTheFirstJoint) {
+  Assembly dog = assembly_of("puppy");
+  const auto takes_it = [&](const std::string& id) {
+    for (const AssemblySpot& spot : assembly_spots(dog))
+      if (spot.id == id) return takes(spot, ModuleKind::linear);
+    ADD_FAILURE() << id;
+    return false;
+  };
+  EXPECT_FALSE(takes_it("limb/0/joint/0"));
+  EXPECT_TRUE(takes_it("limb/0/joint/1"));
+  EXPECT_TRUE(takes_it("limb/0/before/1"));
+  EXPECT_TRUE(takes_it("limb/0/end"));
+  EXPECT_NE(refusal(dog, "limb/0/joint/0", "L16-50-35"), "");
+  put(dog, "limb/0/joint/1", "L16-50-35");
+  AssemblyJoint& knee = dog.limbs[0].joints[1];
+  EXPECT_TRUE(knee.is_linear());
+  knee.lever = {0.012, 0.0, 0.0};
+  knee.mount = {0.012, 0.0, 0.14};
+  put(dog, "limb/0/joint/1", "L12-20PT-3");  // of another length
+  EXPECT_TRUE(knee.lever && !knee.mount);
+  put(dog, "limb/0/joint/1", "XL430-W250");
+  EXPECT_FALSE(knee.lever || knee.is_linear());
+}
+
 }  // namespace
 }  // namespace legwright

@@ -281,8 +281,11 @@ TEST(AssemblyKeys, AreThoseOfTheReader) {
     else if (!table.empty())
       path = {table};
     path.push_back(word);
+    const bool slides = word == "lever" || word == "mount";  // which servos have not
+    const std::string whole =
+        slides ? assembly_with("\"XM430-W350\"", "\"L16-50-35\"") : kWholeAssembly;
     const auto told = [&](const std::string& value) {
-      return complaint_about(with_key(kWholeAssembly, path, value));
+      return complaint_about(with_key(whole, path, value));
     };
     EXPECT_EQ(told(std::string(key.example)), "") << key.path;
     const bool is_text = key.forms[0].kind == KeyKind::text;

@@ -140,7 +140,7 @@ TEST(ModuleFile, TeachesWhatIsWrongAllAtOnce) {
 
 TEST(ModuleFile, RefusesWhatFitsNoModuleOfItsKind) {
   expect_refusal(servo_with("kind = \"servo\"", "kind = \"servos\""),
-                 {"expected one of servo, foot, trunk"});
+                 {"expected one of servo, linear, foot, trunk"});
   expect_refusal(servo_with("kind = \"servo\"", "kind = \"battery\""),
                  {"joint", "is for servos, and this is a battery"});
   const std::string foreign = refusal("name = \"a\"\nkind = \"servos\"\n[joint]\nkp = 1.0\n");

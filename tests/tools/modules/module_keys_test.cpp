@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/tools/modules/linear_text.hpp"
 #include "tests/tools/modules/servo_text.hpp"
 #include "tools/modules/module_file.hpp"
 #include "tools/task/task_text.hpp"
@@ -39,7 +40,10 @@ std::vector<std::string> path_of(const TaskKey& key) {
 
 /// What the reader says of a whole module with another value of a key; empty where it takes it.
 std::string told_of(const TaskKey& key, const std::string& value) {
-  const std::string whole = key.path.starts_with("foot.") ? kWholeFoot : test::kWholeServo;
+  const bool slides = key.path.starts_with("slide.") || key.path == "outline.on";
+  const std::string whole = key.path.starts_with("foot.") ? kWholeFoot
+                            : slides                      ? test::kWholeLinear
+                                                          : test::kWholeServo;
   try {
     (void)parse_module(with_key(whole, path_of(key), value), "x.toml");
   } catch (const InputError& error) {

@@ -114,6 +114,10 @@ export class ItemForm {
 
   joint(item, found) {
     const { name, link, servo, axis, offset, roll, range, servo_range: own, torque } = found;
+    const strong = `Torque at most ${shown(torque)} N m`;
+    const hint = found.linear
+      ? `${strong} as drawn. Lever and mount of a linear actuator are set in the file.`
+      : `${strong}.`;
     const first = this.client.limbOf(item).joints[0].item === item;
     const along = Object.entries(AXES).map(([label, value]) =>
       h(
@@ -125,8 +129,8 @@ export class ItemForm {
     return [
       this.text(item, "name", "name", name),
       this.text(item, "link", "link that it moves", link),
-      this.module(item, "servo", servo),
-      h("p.hint", {}, `Torque at most ${shown(torque)} N m.`),
+      this.module(item, "servo", servo, first ? ["servo"] : ["servo", "linear"]),
+      h("p.hint", {}, hint),
       this.vector(item, "axis", "", axis, "the horn looks along it"),
       h("div.button-row", {}, along),
       first ? "" : this.vector(item, "offset", "m", offset, "from the joint above"),
@@ -155,9 +159,10 @@ export class ItemForm {
     return this.field("range [rad]", h("span.three", {}, inputs));
   }
 
-  /** A list of the modules of a kind, of which another can be chosen. */
-  module(item, kind, name) {
-    const names = (this.modules ?? []).filter((each) => each.kind === kind).map((m) => m.name);
+  /** A list of the modules of a kind, or of several, of which another can be chosen. */
+  module(item, kind, name, kinds = [kind]) {
+    const some = (this.modules ?? []).filter((each) => kinds.includes(each.kind));
+    const names = some.map((each) => each.name);
     if (!names.includes(name)) names.unshift(name);
     const options = names.map((each) => h("option", { value: each, selected: each === name }, each));
     const change = ({ target }) => this.client.replace(item, target.value);

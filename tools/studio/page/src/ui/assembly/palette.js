@@ -9,6 +9,7 @@ import { followTheme, theme } from "../theme.js";
 
 const KINDS = {
   servo: "Servos",
+  linear: "Linear actuators",
   foot: "Feet",
   trunk: "Trunks",
   battery: "Batteries",
@@ -18,9 +19,15 @@ const KINDS = {
 const BEGIN = 6; // pixels from which on a press is a drag
 
 /** What is said of a module below its name. */
-function aboutOf({ kind, mass, stall_torque: torque, no_load_speed: speed }) {
+function aboutOf(module) {
+  const { kind, mass, stall_torque: torque, no_load_speed: speed } = module;
   const of = (value, unit) => `${significant(value, 3)} ${unit}`.replaceAll(" ", "\u00a0");
   const grams = of(1000 * mass, "g");
+  if (kind === "linear") {
+    const { max_force: force, stroke, rod_speed: rod } = module;
+    const sliding = rod ? `, ${of(1000 * rod, "mm/s")}` : "";
+    return `${of(force, "N")}${sliding}, ${of(1000 * stroke, "mm")}, ${grams}`;
+  }
   if (kind !== "servo") return grams;
   const turning = speed ? `, ${of(speed, "rad/s")}` : "";
   return `${of(torque, "N m")}${turning}, ${grams}`;
