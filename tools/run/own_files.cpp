@@ -9,6 +9,7 @@
 #include "mjcf/text/robot_files.hpp"
 #include "tools/files/licence.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 namespace {
@@ -21,7 +22,8 @@ const std::set<std::string, std::less<>> kNames{
     "motion.csv",      "metrics.json",         "frame.png",    "task.toml",       "limits.toml",
     "session.jsonl",   "certificate.json",     "verdict.json", "comparison.json", "numerics.json",
     "robustness.json", "matrix.json",          "front.json",   "summary.md",      "overlay.png",
-    "gait.webp",       "contact_timeline.png", "small.webp",   "begin.json",      "states.bin"};
+    "gait.webp",       "contact_timeline.png", "small.webp",   "begin.json",      "states.bin",
+    kTightenedTask};
 constexpr std::array kHeads{"strip_", "still_", "playback_", "validation_", "compare_"};
 
 bool is_left_over(const std::string& name) {

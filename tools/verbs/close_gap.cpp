@@ -32,17 +32,17 @@ struct PlannedGait {
 
 class GapCloser {
  public:
-  GapCloser(const CodesignProblem& problem, const DesignIteration& best, int k)
+  GapCloser(const CodesignProblem& problem, const Candidate& chosen, int k)
       : problem_(problem),
-        best_(best),
+        chosen_(chosen),
         k_(k),
         scalars_(gait_scalars(problem.task(k))),
-        file_(problem.task(k)) {
-    const Task& task = problem.objectives[static_cast<std::size_t>(k)]->task();
-    // Knots planted beyond stance stay the same number where the period changes by a little.
-    file_.planted_margin = task.planted_margin * task.gait.time_step();
-    file_.margins = task;
-  }
+        // What was tightened stays so; knots planted beyond stance stay the same number where the
+        // period changes by a little.
+        file_(tightened_file(problem, k,
+                             chosen.tightening.empty()
+                                 ? Tightening()
+                                 : chosen.tightening.at(static_cast<std::size_t>(k)))) {}
 
   const std::vector<GaitScalar>& scalars() const { return scalars_; }
 
@@ -53,9 +53,10 @@ class GapCloser {
     return out;
   }
 
-  /// The best motion of the body for scaled scalars, from the one that is known. Throws InputError
-  /// where there is no such task.
+  /// The best motion of the body for scaled scalars, from the one that is known, which is that of
+  /// scalars as they are. Throws InputError where there is no such task.
   PlannedGait plan(const VectorXd& x) const {
+    const DesignIteration& best = chosen_.design;
     TaskFile file = scaled_task(file_, scalars_, factors(x));
     // A wish for the margin counts in knots: the scaled period must not change their number.
     *file.planted_margin *= file.period / file_.period;
@@ -66,10 +67,12 @@ class GapCloser {
     ObjectiveCost cost(*gait.objective);
     WeightedCost task;
     task.cost = &cost;
-    task.initial_motion = best_.tasks.at(static_cast<std::size_t>(k_)).m;
+    gait.motion = best.tasks.at(static_cast<std::size_t>(k_));
+    if (x.isZero(0.0)) return gait;
+    task.initial_motion = gait.motion.m;
     const MotionLimits limits;
     TaskSolver solver(task, limits);
-    if (!solver.start(best_.s) || !solver.differentiate())
+    if (!solver.start(best.s) || !solver.differentiate())
       throw InputError("the motion of the scaled task is not finite");
     gait.motion = solver.now();
     return gait;
@@ -79,7 +82,7 @@ class GapCloser {
     try {
       const PlannedGait gait = plan(x);
       return try_in_physics(problem_.robot, problem_.task(k_),
-                            design_texts(problem_.robot, *gait.objective, best_.s, gait.motion.m));
+                            design_texts(problem_.robot, *gait.objective, chosen_.design.s, gait.motion.m));
     } catch (const InputError&) {
       return {};  // out of reach, or no knot left for a swing: no such gait
     } catch (const MujocoError&) {
@@ -89,7 +92,7 @@ class GapCloser {
 
  private:
   const CodesignProblem& problem_;
-  const DesignIteration& best_;
+  const Candidate& chosen_;
   int k_;
   std::vector<GaitScalar> scalars_;
   TaskFile file_;
@@ -180,10 +183,10 @@ TaskFile scaled_task(const TaskFile& task, const std::vector<GaitScalar>& scalar
 }
 
 PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& problem,
-                             const DesignIteration& best, int k, const CloseGapOptions& options) {
+                             const Candidate& chosen, int k, const CloseGapOptions& options) {
   const Stopwatch watch;
   load_gait_plugin();
-  const GapCloser closer(problem, best, k);
+  const GapCloser closer(problem, chosen, k);
   const auto count = static_cast<Eigen::Index>(closer.scalars().size());
   VectorXd lower(count), upper(count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -210,7 +213,8 @@ PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& 
       take_physics_steps(play, VectorXd::Zero(count), lower, upper, rules);
   const bool better = found.best.merit() < found.start.merit();
   if (better)
-    write_result(result_folder(folder, problem, k), problem, best, k, closer.plan(found.x));
+    write_result(result_folder(folder, problem, k), problem, chosen.design, k,
+                 closer.plan(found.x));
   const auto summary = [](const PhysicsTrial& trial) {
     return PlayedGait{trial.merit(), trial.pass, trial.line};
   };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optimizer/solve/checkpoint.hpp"
+#include "tools/choose/candidate.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/task/problem.hpp"
@@ -41,9 +42,10 @@ struct CloseGapOptions {
 /// `optimize --physics-steps N` of one task: plans the gait anew, on the same body, with other
 /// scalars, plays it in MuJoCo at half, default and double gains, and keeps what is confirmed to be
 /// closer to the task than before. Replaces the task's result/ where there is something better.
-/// @param best the design of the run. @param k of the problem's tasks
+/// @param chosen the design of the run, with what its search tightened. @param k of the problem's
+/// tasks
 /// @return what run.json says of it: schema in tools/README.md
 PhysicsStepsRecord close_gap(const ResultFolder& folder, const CodesignProblem& problem,
-                             const DesignIteration& best, int k, const CloseGapOptions& options);
+                             const Candidate& chosen, int k, const CloseGapOptions& options);
 
 }  // namespace legwright

@@ -230,10 +230,13 @@ void ChangeReasons::write(const ResultFolder& folder, const MultistartResult& fo
         best_of_given_body(costs().tasks().front(), found.joint.front().result.initial, limits);
   }
   const std::vector<PutBack> rows = rows_of(best);
-  if (!fewest_.kept || !chosen.planned.empty()) find_fewest(initial_F, best, rows);
-  if (fewest_.kept && !chosen.planned.empty()) fewest_.fewest = 0;  // searched on in its space
+  const bool known = fewest_.kept && chosen.planned.empty();
+  if (known) run.fewest_changes = fewest_;
+  if (!known) find_fewest(initial_F, best, rows);
+  if (fewest_.kept && !known) fewest_.fewest = 0;  // searched on in its space
   play_fewest(chosen, run.choice);
-  run.fewest_changes = fewest_;
+  // Half worked out it would call more changes needed than are.
+  if (!stop_()) run.fewest_changes = fewest_;
   const std::vector<WeightedCost>& tasks = costs().tasks().front();
   const auto played = play(chosen, designs_of(rows, tasks, best.value));
   if (!problem_.set.joint()) {

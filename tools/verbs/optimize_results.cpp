@@ -178,7 +178,7 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
 }
 
 void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const DesignIteration& best, const CloseGapOptions& options, RunRecord& run) {
+                const Candidate& chosen, const CloseGapOptions& options, RunRecord& run) {
   CloseGapOptions of_task = options;
   for (int k = 0; k < problem.task_count(); ++k) {
     const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";
@@ -186,7 +186,7 @@ void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
       if (options.tell) options.tell(name + line);
     };
     of_task.checkpoint = options.checkpoint.in(k);
-    const PhysicsStepsRecord found = close_gap(folder, problem, best, k, of_task);
+    const PhysicsStepsRecord found = close_gap(folder, problem, chosen, k, of_task);
     if (!problem.set.joint()) {
       run.physics_steps = found;
       write_json(folder.run_json(), json_of(run));

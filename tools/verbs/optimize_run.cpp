@@ -141,7 +141,7 @@ class OptimizeRun {
     CloseGapOptions gaps = gap_options(options_, stop_);
     gaps.checkpoint = checkpoint_.in("physics steps");
     if (gaps.steps > 0 && !stop_()) {
-      close_gaps(folder_, problem_, chosen.design, gaps, run_);
+      close_gaps(folder_, problem_, chosen, gaps, run_);
       times_.end_of("physics_steps");
     }
   }

@@ -156,7 +156,7 @@ TEST_F(RunBuildOf, WhatBelongsToARunIsNobodysOwn) {
         "result/still_0.25.png", "result/validation_drake.json", "iterations/0000/frame.png",
         "tasks/trot/report.html", "tasks/trot/result/meshes/a.stl", "inputs/LICENSE",
         "starts/from-a/trot/iterations/0000/meshes/a.stl", "iterations/.0001.1.0.tmp/any",
-        "result/LICENSE"})
+        "result/LICENSE", "candidates/03/tightened.toml"})
     put(run_ / file, "ours");
   EXPECT_EQ(own_files_in(run_), std::vector<std::string>{});
   put(run_ / "result/meshes/b.stl", "whose?");

@@ -82,7 +82,8 @@ TEST_F(OptimizeRun, AStopBeforeTheFirstVerdictIsAReasonForEveryTask) {
   }
 }
 
-// Whoever stops the reasons at any moment gets those that are there.
+// Whoever stops the reasons at any moment gets those that are there; the fewest changes, which
+// are fewer the longer they are looked for, are told when all are known.
 TEST_F(OptimizeRun, AStopAmongTheReasonsKeepsThoseThatAreKnown) {
   options_.max_iterations = 1;
   options_.plan_only = true;
@@ -95,15 +96,9 @@ TEST_F(OptimizeRun, AStopAmongTheReasonsKeepsThoseThatAreKnown) {
       return fs::exists(run_ / "result/scene.xml") && ++questions > last ? SIGINT : 0;
     };
     const RunRecord record = run(kExamples / "puppy" / "sideways.toml");
-    ASSERT_TRUE(record.put_back && record.fewest_changes) << last;
-    const auto& designs = record.fewest_changes->designs;
-    ASSERT_FALSE(designs.empty()) << last;
-    const std::size_t rows = record.put_back->size(), changes = designs.front().changed.size();
-    ASSERT_LE(rows, changes) << last;
-    if (rows < changes) {
-      EXPECT_EQ(designs.size(), 1U) << last << ": " << rows << " of " << changes << " rows";
-      stopped_among_rows += rows > 0 ? 1 : 0;
-    }
+    ASSERT_TRUE(record.put_back) << last;
+    EXPECT_FALSE(record.fewest_changes) << last;
+    stopped_among_rows += record.put_back->empty() ? 0 : 1;
     fs::remove_all(run_);
   }
   EXPECT_EQ(stopped_among_rows, 2U) << "this shows nothing";
