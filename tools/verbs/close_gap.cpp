@@ -81,8 +81,9 @@ class GapCloser {
   GaitTrial play(const VectorXd& x) const {
     try {
       const PlannedGait gait = plan(x);
-      return try_in_physics(problem_.robot, problem_.task(k_),
-                            design_texts(problem_.robot, *gait.objective, chosen_.design.s, gait.motion.m));
+      return try_in_physics(
+          problem_.robot, problem_.task(k_),
+          design_texts(problem_.robot, *gait.objective, chosen_.design.s, gait.motion.m));
     } catch (const InputError&) {
       return {};  // out of reach, or no knot left for a swing: no such gait
     } catch (const MujocoError&) {

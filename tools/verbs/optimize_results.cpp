@@ -177,8 +177,8 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
   return {proof.worst_gradient_error(), proof.active.size(), watch.seconds()};
 }
 
-void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const Candidate& chosen, const CloseGapOptions& options, RunRecord& run) {
+void close_gaps(const ResultFolder& folder, const CodesignProblem& problem, const Candidate& chosen,
+                const CloseGapOptions& options, RunRecord& run) {
   CloseGapOptions of_task = options;
   for (int k = 0; k < problem.task_count(); ++k) {
     const std::string name = problem.set.joint() ? problem.task(k).name + ": " : "";

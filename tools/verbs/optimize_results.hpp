@@ -49,7 +49,7 @@ CertificateNote write_certificate(const ResultFolder& folder, const CodesignProb
 
 /// After the adjoint loop: what MuJoCo says of the gaits, and steps that it confirms. Noted in
 /// run.json: of each task where there are several.
-void close_gaps(const ResultFolder& folder, const CodesignProblem& problem,
-                const Candidate& chosen, const CloseGapOptions& options, RunRecord& run);
+void close_gaps(const ResultFolder& folder, const CodesignProblem& problem, const Candidate& chosen,
+                const CloseGapOptions& options, RunRecord& run);
 
 }  // namespace legwright
