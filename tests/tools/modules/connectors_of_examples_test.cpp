@@ -103,7 +103,7 @@ void expect_same_weight(const RobotModel& robot, const Eigen::VectorXd& s) {
   EXPECT_NEAR((taken.inertia - written.inertia).norm(), 0.0, 1e-8 * written.inertia.norm());
 }
 
-long parameters_of_kind(const RobotModel& robot, ParameterKind kind) {
+long count_of(const RobotModel& robot, ParameterKind kind) {
   const auto& parameters = robot.space.parameters;
   return std::count_if(parameters.begin(), parameters.end(),
                        [kind](const DesignParameter& one) { return one.kind == kind; });
@@ -113,9 +113,8 @@ long parameters_of_kind(const RobotModel& robot, ParameterKind kind) {
 TEST_P(ExampleConnectors, WeighInFAsInTheFileOfEachDesign) {
   const RobotModel robot = build_robot(example(GetParam()), "robot.xml").found.model;
   // Building leaves out what cannot be rewritten as F takes it.
-  EXPECT_GE(parameters_of_kind(robot, ParameterKind::length), 6)
-      << "of all links, and of the trunk";
-  EXPECT_GE(parameters_of_kind(robot, ParameterKind::axis_angle), 8);
+  EXPECT_GE(count_of(robot, ParameterKind::length), 6) << "of all links, and of the trunk";
+  EXPECT_GE(count_of(robot, ParameterKind::axis_angle), 8);
   const Eigen::VectorXd lower = robot.space.lower(), upper = robot.space.upper();
   expect_same_weight(robot, lower);
   expect_same_weight(robot, upper);
