@@ -9,11 +9,11 @@
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/stretch.hpp"
+#include "mjcf/shape/polyhedron.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
-#include "optimizer/design/polyhedron.hpp"
 
 namespace legwright {
 namespace {
@@ -56,8 +56,8 @@ class ConnectorReader {
     check_body(geom);
     out_.ends = read_text();
     for (Connector::End& end : out_.ends) {
-      end.place = place_of(end);
-      for (const Vector3d& point : end.points) out_.points.push_back(sum(end.place, {point, {}}));
+      const AffineVector place = place_of(end);
+      for (const Vector3d& point : end.points) out_.points.push_back(sum(place, {point, {}}));
     }
     const std::vector<Vector3d> now = points_at(out_.points, initial_);
     out_.facets = convex_hull(now);
@@ -316,6 +316,13 @@ std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
   return out;
 }
 
+void add_connector_masses(const std::vector<Connector>& connectors, const VectorXd& initial,
+                          PrintedMap& printed) {
+  for (const Connector& connector : connectors)
+    printed.emplace(connector.body, masses_of_solid(connector.facets, connector.points,
+                                                    connector.density, initial));
+}
+
 bool turns(const RobotModel& robot, const Connector& connector, const VectorXd& s) {
   const VectorXd initial = robot.space.initial();
   return std::any_of(connector.ends.begin(), connector.ends.end(), [&](const Connector::End& end) {
@@ -341,6 +348,24 @@ std::vector<AffineVector> turned_points(const RobotModel& robot, const Connector
   for (const Connector::End& end : connector.ends) {
     const std::vector<Vector3d> turned = turned_end(robot, end, s);
     for (std::size_t k = 0; k < turned.size(); ++k) at++->constant += turned[k] - end.points[k];
+  }
+  return out;
+}
+
+Morphology with_hulls_at(const RobotModel& robot, const VectorXd& s) {
+  Morphology out = robot.morphology;
+  for (const Connector& connector : robot.connectors) {
+    const std::vector<AffineVector> own = turned_points(robot, connector, s);
+    const std::vector<Facet> facets = facets_at(connector, points_at(own, s));
+    if (facets == connector.facets && !turns(robot, connector, s)) continue;
+    // As many as on reading: of the same points, in the same frame.
+    auto to =
+        out.links[static_cast<std::size_t>(connector.link)].masses.begin() + connector.first_mass;
+    for (PointMass& point :
+         masses_of_solid(facets, own, connector.density, robot.space.initial())) {
+      point.position = sum(connector.origin, rotated(connector.link_from_body, point.position));
+      *to++ = std::move(point);
+    }
   }
   return out;
 }

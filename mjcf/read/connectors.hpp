@@ -36,6 +36,10 @@ std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
                                        const std::vector<TurningPart>& turning,
                                        const Eigen::VectorXd& initial);
 
+/// Their point masses (masses_of_solid()), by the names of their bodies, in whose frames they are.
+void add_connector_masses(const std::vector<Connector>& connectors, const Eigen::VectorXd& initial,
+                          PrintedMap& printed);
+
 /// The <mesh> elements that have names.
 using MeshElements = std::map<std::string, const XmlElement*, std::less<>>;
 MeshElements find_mesh_elements(const XmlFile& xml);
@@ -56,5 +60,9 @@ std::vector<AffineVector> turned_points(const RobotModel& robot, const Connector
 /// The same of one end's, from what they go with.
 std::vector<Eigen::Vector3d> turned_end(const RobotModel& robot, const Connector::End& end,
                                         const Eigen::VectorXd& s);
+
+/// The robot whose connectors weigh at design s what their hulls do there: where triangles change
+/// or points turn on the way, what the file at s will weigh differs from what F takes them to.
+Morphology with_hulls_at(const RobotModel& robot, const Eigen::VectorXd& s);
 
 }  // namespace legwright

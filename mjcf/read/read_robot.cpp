@@ -68,10 +68,11 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   RobotModel robot;
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);
   const Eigen::VectorXd initial = declared.space.initial();
-  const PrintedMap printed = read_printed(*xml, *model, structure, stretches);
+  PrintedMap printed = read_printed(*xml, *model, structure, stretches);
   robot.turning_parts = read_turning_parts(*xml, *model, structure, stretches);
   robot.connectors =
       read_connectors(*xml, *model, structure, stretches, robot.turning_parts, initial);
+  add_connector_masses(robot.connectors, initial, printed);
   robot.morphology = build_morphology(*xml, *model, structure, declared.space, declared.bindings,
                                       {stretches, places, printed, robot.turning_parts}, tendons,
                                       robot.connectors);

@@ -9,8 +9,8 @@
 
 #include "mjcf/read/structure.hpp"
 #include "mjcf/read/turning_parts.hpp"
+#include "mjcf/shape/convex_hull.hpp"
 #include "mjcf/text/robot_files.hpp"
-#include "optimizer/design/convex_hull.hpp"
 #include "optimizer/design/design.hpp"
 #include "optimizer/design/morphology.hpp"
 
@@ -55,7 +55,6 @@ struct Connector {
   /// Points that go with one thing.
   struct End {
     std::string what;                     // of the declaration: "body FL_knee_servo"
-    AffineVector place = {};              // of that, in the body's frame
     std::vector<Eigen::Vector3d> points;  // from there, in the axes of the mesh [m]
     std::string joint;                    // with whose axis they turn; empty: with none
     Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // mesh ← body of that joint
@@ -65,6 +64,10 @@ struct Connector {
   std::vector<End> ends;             // whose points are `points`, in this order
   std::vector<AffineVector> points;  // in the body's frame
   std::vector<Facet> facets;         // of the hull at the initial design, indices of points
+  int link = 0;                      // of the morphology, that it belongs to
+  AffineVector origin;               // of the body, in that link's frame
+  Eigen::Matrix3d link_from_body = Eigen::Matrix3d::Identity();
+  std::ptrdiff_t first_mass = 0;  // of those of the link that stand for it
 };
 
 /// A robot as Legwright sees it: the compiled tree, its design parameters, and how to find them in

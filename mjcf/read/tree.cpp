@@ -15,8 +15,6 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
-#include "optimizer/design/hull_moments.hpp"
-#include "optimizer/design/polyhedron.hpp"
 
 namespace legwright {
 namespace {
@@ -51,7 +49,7 @@ class MorphologyBuilder {
  public:
   MorphologyBuilder(const mjModel& model, const Structure& structure, const DesignSpace& space,
                     const std::vector<Binding>& bindings, const MovedParts& moved,
-                    const std::vector<Connector>& connectors)
+                    std::vector<Connector>& connectors)
       : model_(model),
         structure_(structure),
         trunk_(structure.trunk),
@@ -238,9 +236,9 @@ class MorphologyBuilder {
   void add_masses(int body) {
     const std::string name = name_of(model_, mjOBJ_BODY, body);
     const auto found = moved_.printed.find(name);
-    const Placement& at = placements_[body];
-    if (add_connector(name, at)) return;
     if (found != moved_.printed.end()) {
+      const Placement& at = placements_[body];
+      tell_connector(name, at);
       for (PointMass point : found->second) {
         point.position = sum(at.origin, rotated(at.rotation, point.position));
         out_.links[at.link].masses.push_back(std::move(point));
@@ -282,24 +280,15 @@ class MorphologyBuilder {
     return out;
   }
 
-  /// What a connector weighs, if the body is one's.
-  bool add_connector(const std::string& body, const Placement& at) {
-    const auto found =
-        std::find_if(connectors_.begin(), connectors_.end(),
-                     [&](const Connector& connector) { return connector.body == body; });
-    if (found == connectors_.end()) return false;
-    HullPart hull{found->density, {}, found->facets};
-    for (const Connector::End& end : found->ends) {
-      HullPart::End out{sum(at.origin, rotated(at.rotation, end.place)), {}, {}};
-      if (!end.joint.empty()) out.turns = turns_of(end.joint);
-      for (JointAxis::Turn& turn : out.turns) turn.about = at.rotation * (end.frame * turn.about);
-      for (const Vector3d& point : end.points)
-        out.points.push_back(turned_back(out.turns, initial_, at.rotation * point));
-      hull.ends.push_back(std::move(out));
+  /// Of a connector whose masses come next.
+  void tell_connector(const std::string& body, const Placement& at) {
+    for (Connector& connector : connectors_) {
+      if (connector.body != body) continue;
+      connector.link = at.link;
+      connector.origin = at.origin;
+      connector.link_from_body = at.rotation;
+      connector.first_mass = static_cast<std::ptrdiff_t>(out_.links[at.link].masses.size());
     }
-    hull.mass = hull.density * moments_of_solid(hull.facets, hull_points(hull, initial_)).volume;
-    out_.links[at.link].hulls.push_back(std::move(hull));
-    return true;
   }
 
   const mjModel& model_;
@@ -308,7 +297,7 @@ class MorphologyBuilder {
   const DesignSpace& space_;
   const std::vector<Binding>& bindings_;
   const MovedParts& moved_;
-  const std::vector<Connector>& connectors_;
+  std::vector<Connector>& connectors_;
   const Eigen::VectorXd initial_;
   std::vector<Placement> placements_;  // by body id
   Morphology out_;
@@ -341,7 +330,7 @@ Eigen::Isometry3d held_displacement(const mjModel& model, int joint) {
 Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const MovedParts& moved, const std::vector<TendonSpan>& tendons,
-                            const std::vector<Connector>& connectors) {
+                            std::vector<Connector>& connectors) {
   Morphology out =
       MorphologyBuilder(model, structure, space, bindings, moved, connectors).build(xml, tendons);
   out.name = std::string(model.names);  // the model's name comes first

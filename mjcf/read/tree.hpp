@@ -25,11 +25,11 @@ struct MovedParts {
 
 /// Builds the kinematic tree of the compiled robot with the stretches, turns and places of its
 /// design parameters. Held joints are rigid, in their home pose.
-/// @param connectors what bodies weigh that are printed between modules
+/// @param connectors are told their link and where its masses stand for them
 Morphology build_morphology(const XmlFile& xml, const mjModel& model, const Structure& structure,
                             const DesignSpace& space, const std::vector<Binding>& bindings,
                             const MovedParts& moved, const std::vector<TendonSpan>& tendons,
-                            const std::vector<Connector>& connectors);
+                            std::vector<Connector>& connectors);
 
 /// How the home pose turns (hinge, ball) or shifts (slide) what a joint moves, against the pose
 /// that the file draws: in the body's frame, about the joint's anchor.

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "mjcf/read/robot_model.hpp"
+#include "mjcf/shape/polyhedron.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/xml.hpp"
-#include "optimizer/design/polyhedron.hpp"
 
 namespace legwright {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mjcf/read/bindings.hpp"
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/read/linear_actuators.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -310,7 +311,7 @@ std::string difference_from_intent(const RobotModel& robot, const VectorXd& s,
   try {
     const RobotModel written = parse_robot(text, robot.file, &robot.structure);
     if (written.space.size() != s.size() || written.space.initial() != s) return "declared values";
-    std::string difference = find_difference(robot.morphology, s, written.morphology, s);
+    std::string difference = find_difference(with_hulls_at(robot, s), s, written.morphology, s);
     if (!difference.empty() || keys.empty()) return difference;
     return find_lifted_foot(written.structure, keys, *load_xml(text, robot.file),
                             *compile_mjcf(text, robot.file));

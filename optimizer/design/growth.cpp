@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <set>
 
-#include "optimizer/design/hull_moments.hpp"
-
 namespace legwright {
 
 std::vector<int> growth_parameters(const Morphology& morphology) {
   std::set<int> parameters;
-  for (const Link& link : morphology.links) {
+  for (const Link& link : morphology.links)
     for (const PointMass& point : link.masses)
       for (const PointMass::Growth& growth : point.growth) parameters.insert(growth.parameter);
-    for (const HullPart& hull : link.hulls)
-      for (const int parameter : hull_parameters(hull)) parameters.insert(parameter);
-  }
   return {parameters.begin(), parameters.end()};
 }
 
@@ -29,7 +24,7 @@ GrowthSum growth_sum(const Morphology& morphology, Amount amount, const Eigen::V
   const auto size = static_cast<int>(parameters.size());
   out.gradient.setZero(size);
   out.hessian.setZero(size, size);
-  for (const Link& link : morphology.links) {
+  for (const Link& link : morphology.links)
     for (const PointMass& point : link.masses) {
       const double value =
           (amount == Amount::mass ? point.mass : point.volume) * point.growth_at(s);
@@ -43,18 +38,6 @@ GrowthSum growth_sum(const Morphology& morphology, Amount amount, const Eigen::V
         }
       }
     }
-    for (const HullPart& hull : link.hulls) {
-      const HullMoments at = hull_volume(hull, s);
-      const double factor = amount == Amount::mass ? hull.density : 1.0;
-      out.value += factor * at.moments(3, 3);
-      for (std::size_t k = 0; k < at.parameters.size(); ++k) {
-        out.gradient[column(at.parameters[k])] += factor * at.first[k](3, 3);
-        for (std::size_t l = 0; l < at.parameters.size(); ++l)
-          out.hessian(column(at.parameters[k]), column(at.parameters[l])) +=
-              factor * at.second[k][l](3, 3);
-      }
-    }
-  }
   return out;
 }
 

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "optimizer/design/hull_moments.hpp"
 #include "optimizer/design/rotation.hpp"
 
 namespace legwright {
@@ -52,28 +51,6 @@ void add_bends(const AxisAtDesign& arm, double mass, const Vector4d& u,
           mass * arm.second[k][l] * u.transpose();
 }
 
-/// Adds hulls to a link. No points stand for them: of what sums to their derivatives, v_k vᵀ + v
-/// v_kᵀ and v_kl vᵀ + v v_klᵀ + v_k v_lᵀ + v_l v_kᵀ, half stands in the first summand.
-void add_hulls(const Link& link, const Eigen::VectorXd& s, LinkAtDesign& at) {
-  const auto find = [&at](int parameter) {
-    return static_cast<std::size_t>(
-        std::find_if(at.inner.begin(), at.inner.end(),
-                     [&](const InnerMotion& i) { return i.parameter == parameter; }) -
-        at.inner.begin());
-  };
-  for (const HullPart& hull : link.hulls) {
-    const HullMoments own = hull_moments(hull, s);
-    at.moments += hull.density * own.moments;
-    if (!own.parameters.empty()) at.grows = at.bends = true;
-    for (std::size_t k = 0; k < own.parameters.size(); ++k) {
-      InnerMotion& motion = at.inner[find(own.parameters[k])];
-      motion.moments += 0.5 * hull.density * own.first[k];
-      for (std::size_t l = 0; l < own.parameters.size(); ++l)
-        motion.seconds[find(own.parameters[l])] += 0.5 * hull.density * own.second[k][l];
-    }
-  }
-}
-
 /// Σ over point masses of what parameter k does to them.
 std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s) {
   std::vector<InnerMotion> inner;
@@ -85,10 +62,6 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
     for (const Slope& slope : slopes_of(point, axis_at(point.arm, s), s))
       if (find(slope.parameter) == inner.end())
         inner.push_back({slope.parameter, Vector4d::Zero(), Matrix4d::Zero(), {}, {}});
-  for (const HullPart& hull : link.hulls)
-    for (const int parameter : hull_parameters(hull))
-      if (find(parameter) == inner.end())
-        inner.push_back({parameter, Vector4d::Zero(), Matrix4d::Zero(), {}, {}});
   for (InnerMotion& k : inner) {
     k.products.assign(inner.size(), Matrix4d::Zero());
     k.seconds.assign(inner.size(), Matrix4d::Zero());
@@ -114,6 +87,7 @@ std::vector<InnerMotion> inner_motion(const Link& link, const Eigen::VectorXd& s
       }
     }
   }
+  for (InnerMotion& k : inner) k.first = (k.moments + k.moments.transpose()).col(3);
   return inner;
 }
 
@@ -152,8 +126,6 @@ GeometryAtDesign::GeometryAtDesign(const Morphology& morphology, const Eigen::Ve
       at.grows |= !point.growth.empty();
       at.bends |= at.grows || !point.arm.turns.empty();
     }
-    add_hulls(link, s, at);
-    for (InnerMotion& k : at.inner) k.first = (k.moments + k.moments.transpose()).col(3);
     grows |= at.grows;
     total_mass += at.moments(3, 3);
     mass_below.push_back(at.moments(3, 3));

@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "optimizer/design/hull_moments.hpp"
-
 namespace legwright {
 
 Eigen::Vector3d AffineVector::at(const Eigen::VectorXd& s) const {
@@ -39,21 +37,16 @@ double PointMass::growth_at(const Eigen::VectorXd& s) const {
 }
 
 bool Morphology::grows() const {
-  for (const Link& link : links) {
+  for (const Link& link : links)
     for (const PointMass& point : link.masses)
       if (!point.growth.empty()) return true;
-    for (const HullPart& hull : link.hulls)
-      if (!hull_parameters(hull).empty()) return true;
-  }
   return false;
 }
 
 double Morphology::total_mass() const {
   double sum = 0.0;
-  for (const Link& link : links) {
+  for (const Link& link : links)
     for (const PointMass& point : link.masses) sum += point.mass;
-    for (const HullPart& hull : link.hulls) sum += hull.mass;
-  }
   return sum;
 }
 

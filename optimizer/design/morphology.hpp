@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "optimizer/design/convex_hull.hpp"
-
 namespace legwright {
 
 inline constexpr double kGravity = 9.81;  // [m/s²]
@@ -72,21 +70,6 @@ struct PointMass {
   double growth_at(const Eigen::VectorXd& s) const;
 };
 
-/// A printed part between modules: the convex hull of points, each of which goes rigidly with one
-/// of the things that the part holds together. Its moments: design/hull_moments.
-struct HullPart {
-  /// Points that go with one thing, which a design moves, and turns as it does a joint's axis.
-  struct End {
-    AffineVector origin;                    // in the link frame
-    std::vector<TurnedVector::Turn> turns;  // in the link frame, outermost first
-    std::vector<Eigen::Vector3d> points;    // from the origin, at angles zero [m]
-  };
-  double density = 0.0;       // [kg/m³]
-  std::vector<End> ends;      // whose points are counted through, in this order
-  std::vector<Facet> facets;  // of the hull at the design at hand
-  double mass = 0.0;          // at that design [kg]
-};
-
 /// What a motor gives at a speed: τ ≤ stall_torque (1 − ω/no_load_speed) forwards, and the same
 /// backwards; it brakes with more.
 struct MotorLine {
@@ -121,7 +104,6 @@ struct Link {
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();  // parent ← link at joint angle zero
   Joint joint;                                                // not used for the trunk
   std::vector<PointMass> masses;
-  std::vector<HullPart> hulls;  // besides the point masses
 };
 
 /// A linear actuator between two points of neighbouring links, which drives the hinge between them.

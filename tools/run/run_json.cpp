@@ -3,8 +3,9 @@
 
 #include <limits>
 
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/text/safe_path.hpp"
-#include "optimizer/design/growth.hpp"
+#include "optimizer/design/inertia.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "tools/files/checksum.hpp"
@@ -129,8 +130,11 @@ std::vector<StartRecord> records_of(const CodesignProblem& problem,
 }  // namespace
 
 BodyRecord body_record(const RobotModel& robot, const Eigen::VectorXd& s) {
-  BodyRecord body{growth_sum(robot.morphology, Amount::mass, s).value, {}};
-  const double volume = growth_sum(robot.morphology, Amount::printed_volume, s).value;
+  const Morphology written = with_hulls_at(robot, s);  // as the file at s weighs
+  BodyRecord body{GeometryAtDesign(written, s).total_mass, {}};
+  double volume = 0.0;
+  for (const Link& link : written.links)
+    for (const PointMass& point : link.masses) volume += point.volume * point.growth_at(s);
   if (volume > 0.0) body.printed_volume = volume;
   return body;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer/design/growth.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/task_file.hpp"
@@ -136,11 +135,11 @@ Json terms_of_all() {
 
 /// Whether a body's mass depends on its design: links whose masses a file tells keep them.
 bool mass_changes(const RobotModel& robot) {
-  const auto mass = [&](const Eigen::VectorXd& s) {
-    return growth_sum(robot.morphology, Amount::mass, s).value;
-  };
-  const double own = mass(robot.space.initial());
-  return mass(robot.space.lower()) != own || mass(robot.space.upper()) != own;
+  for (const Link& link : robot.morphology.links)
+    for (const PointMass& point : link.masses)
+      for (const Eigen::VectorXd& s : {robot.space.lower(), robot.space.upper()})
+        if (point.growth_at(s) != point.growth_at(robot.space.initial())) return true;
+  return false;
 }
 
 /// The body that each joint moves.

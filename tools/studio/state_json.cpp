@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optimizer/design/growth.hpp"
+#include "optimizer/design/inertia.hpp"
 #include "optimizer/terms/registry.hpp"
 
 namespace legwright {
@@ -37,7 +37,10 @@ Json terms_of(const SessionState& state) {
 }
 
 double mass_of(const SessionState& state) {
-  return growth_sum(state.problem->robot.morphology, Amount::mass, state.s()).value;
+  double mass = 0.0;
+  for (const Link& link : state.problem->robot.morphology.links)
+    for (const PointMass& point : link.masses) mass += point.mass * point.growth_at(state.s());
+  return mass;
 }
 
 }  // namespace

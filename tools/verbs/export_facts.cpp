@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/propose/standing_pose.hpp"
+#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -166,7 +167,7 @@ ExportedRun read_exported_run(const fs::path& root) {
   const std::string difference =
       s.size() != out.before.space.size()
           ? "other design parameters"
-          : find_difference(out.before.morphology, s, out.after.morphology, s);
+          : find_difference(with_hulls_at(out.before, s), s, out.after.morphology, s);
   if (!difference.empty())
     throw InputError(result.string(), 0, "",
                      "is not the robot of inputs/ at the design that it declares (" + difference +

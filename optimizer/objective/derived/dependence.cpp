@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/objective/derived/dependence.hpp"
 
-#include "optimizer/design/hull_moments.hpp"
-
 namespace legwright {
 namespace {
 
@@ -47,8 +45,6 @@ Dependence on_subtree(const Morphology& morphology, const Ancestry& ancestry, in
       for (const PointMass::Growth& growth : point.growth) out.parameters.insert(growth.parameter);
       for (const auto& turn : point.arm.turns) out.parameters.insert(turn.parameter);
     }
-    for (const HullPart& hull : morphology.links[l].hulls)
-      for (const int parameter : hull_parameters(hull)) out.parameters.insert(parameter);
   }
   for (const Foot& foot : morphology.feet)
     if (ancestry.contains(link, foot.link)) add_vector(foot.position, out);

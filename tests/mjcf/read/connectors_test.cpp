@@ -139,7 +139,7 @@ TEST(Connectors, WhoseEndsGoTheSameWayAreMadeAnewWhereOneTurns) {
   s[robot.space.find("thigh")] = 0.12;
   s[robot.space.find("knee")] = 0.5;
   const RobotModel written = parse_robot(rewrite_robot(robot, s), "c.xml");
-  EXPECT_EQ(find_difference(robot.morphology, s, written.morphology, s, 1e-10), "");
+  EXPECT_EQ(find_difference(with_hulls_at(robot, s), s, written.morphology, s, 1e-10), "");
 }
 
 VectorXd at_length(double length) { return VectorXd::Constant(1, length); }
@@ -172,7 +172,7 @@ TEST(Connectors, WeighInFAsInMujoco) {
               2.0 * model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "L_arm")], 1e-12);
 }
 
-/// Written at another length, the file is the robot that F takes it to be:
+/// Written at another length, the file is the robot that F and the hull made anew take it to be:
 /// rewrite_robot() compares them, and refuses what differs. Here with what MuJoCo weighs.
 TEST(Connectors, AreMadeAnewWhereALengthChanges) {
   const RobotModel robot = parse_robot(robot_text(), "c.xml");
@@ -180,13 +180,13 @@ TEST(Connectors, AreMadeAnewWhereALengthChanges) {
     const VectorXd s = at_length(length);
     const std::string text = rewrite_robot(robot, s);
     const RobotModel written = parse_robot(text, "c.xml");
-    EXPECT_EQ(find_difference(robot.morphology, s, written.morphology, s, 1e-10), "");
+    EXPECT_EQ(find_difference(with_hulls_at(robot, s), s, written.morphology, s, 1e-10), "");
     const std::vector<Vector3d> points = points_at(robot.connectors[0].points, s);
     const double volume = moments_of_solid(convex_hull(points), points).volume;
     const ModelPointer model = compile_mjcf(text, "c.xml");
     EXPECT_NEAR(model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "L_arm")], 1240.0 * volume,
                 1e-11 * 1240.0 * volume);
-    EXPECT_NEAR(GeometryAtDesign(robot.morphology, s).total_mass, model->body_subtreemass[0],
+    EXPECT_NEAR(GeometryAtDesign(with_hulls_at(robot, s), s).total_mass, model->body_subtreemass[0],
                 1e-11);
   }
   EXPECT_EQ(rewrite_robot(robot, robot.space.initial()), robot.xml);
@@ -214,21 +214,19 @@ TEST(Connectors, MomentsHaveTheirDerivatives) {
             robot.connectors[0].facets);
 }
 
-/// Where triangles change on the way F weighs the hull that is written.
-TEST(Connectors, WeighInFWhatTheyDoWhereTrianglesChange) {
+/// Where triangles change on the way, F's polynomial is off by little, and the file is the hull.
+TEST(Connectors, ChangedTrianglesCostLittle) {
   const RobotModel robot = parse_robot(robot_text(), "c.xml");
-  const std::vector<Facet> facets = robot.connectors[0].facets;
   int changed = 0;
   for (const double length : {0.07, 0.08, 0.09, 0.11, 0.13, 0.16}) {
     const VectorXd s = at_length(length);
     const std::vector<Vector3d> points = points_at(robot.connectors[0].points, s);
+    changed += facets_at(robot.connectors[0], points) != robot.connectors[0].facets;
     const double hull = moments_of_solid(convex_hull(points), points).volume;
-    const double kept = moments_of_solid(facets, points).volume;
     const double taken = growth_sum(robot.morphology, Amount::printed_volume, s).value / 2.0;
-    EXPECT_NEAR(taken, hull, 1e-12 * hull) << length;
-    changed += kept < 0.9999 * hull;
+    EXPECT_NEAR(taken, hull, 0.02 * hull) << length;
   }
-  EXPECT_GT(changed, 0) << "else no triangle changes";
+  EXPECT_GT(changed, 0);
 }
 
 TEST(Connectors, WhatDoesNotFitIsRefused) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hulls are closed, hold all points, and are what they are by their points alone.
-#include "optimizer/design/convex_hull.hpp"
+#include "mjcf/shape/convex_hull.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "optimizer/design/polyhedron.hpp"
+#include "mjcf/shape/polyhedron.hpp"
 
 namespace legwright {
 namespace {

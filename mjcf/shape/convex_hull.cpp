@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimizer/design/convex_hull.hpp"
+#include "mjcf/shape/convex_hull.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
