@@ -9,14 +9,15 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string_view>
 
+#include "mjcf/read/motor_lines.hpp"
 #include "mjcf/read/robot_model.hpp"
-#include "mjcf/read/tree_checks.hpp"
 #include "mjcf/text/listed.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/urdf/plain_names.hpp"
 #include "mjcf/urdf/print_xml.hpp"
 #include "mjcf/urdf/spec_elements.hpp"
+#include "mjcf/urdf/speed_limits.hpp"
 
 namespace legwright {
 namespace {
@@ -44,39 +45,6 @@ std::string quaternion(const double* q) {
   return format_numbers(out);
 }
 
-/// Names without the signs that trajectories cannot name, each its own: "Revolute 12" becomes
-/// "Revolute_12". Those without such signs stay.
-class PlainNames {
- public:
-  explicit PlainNames(const std::vector<std::string>& all) {
-    for (const std::string& name : all)
-      if (is_plain(name)) taken_.insert(name);
-  }
-  std::string operator()(const std::string& name) {
-    if (is_plain(name)) return name;
-    const auto known = plain_.find(name);
-    if (known != plain_.end()) return known->second;
-    std::string stem = name;
-    for (char& c : stem)
-      if (std::string_view(kNoNameSigns).find(c) != std::string_view::npos) c = '_';
-    std::string out = stem;
-    for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", stem, n);
-    if (renamed_.empty()) renamed_ = fmt::format("'{}' as '{}'", name, out);
-    return plain_[name] = out;
-  }
-  /// The first one that was changed, in words; empty: none was.
-  const std::string& renamed() const { return renamed_; }
-
- private:
-  static bool is_plain(const std::string& name) {
-    return name.find_first_of(kNoNameSigns) == std::string::npos;
-  }
-
-  std::map<std::string, std::string> plain_;
-  std::set<std::string> taken_;
-  std::string renamed_;
-};
-
 std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
   std::vector<std::string> out;
   for_each(spec, type, [&](mjsElement* element) { out.push_back(element_name(element)); });
@@ -86,8 +54,8 @@ std::vector<std::string> names_of(mjSpec& spec, mjtObj type) {
 class MjcfWriter {
  public:
   MjcfWriter(mjSpec& spec, const UrdfMending& mending, const MeshSources& meshes,
-             std::vector<std::string>& notes)
-      : spec_(spec), mending_(mending), meshes_(meshes), notes_(notes) {
+             const std::map<std::string, double>& speeds, std::vector<std::string>& notes)
+      : spec_(spec), mending_(mending), meshes_(meshes), speeds_(speeds), notes_(notes) {
     for_each(spec_, mjOBJ_EQUALITY, [&](mjsElement* element) {
       coupled_.insert(mjs_getString(mjs_asEquality(element)->name1));
     });
@@ -104,6 +72,7 @@ class MjcfWriter {
     add_exclusions();
     add_couplings();
     add_servos();
+    add_motor_lines();
     out_.CloseElement();
     tell_names();
     tell_moments();
@@ -338,6 +307,24 @@ class MjcfWriter {
     tell_servos(added, beyond, without);
   }
 
+  void add_motor_lines() {
+    std::vector<double> used;
+    for_each(spec_, mjOBJ_JOINT, [&](mjsElement* element) {
+      const mjsJoint& joint = *mjs_asJoint(element);
+      const auto speed = speeds_.find(element_name(element));
+      if (!has_servo(joint) || speed == speeds_.end()) return;
+      if (used.empty()) out_.OpenElement("custom");
+      used.push_back(speed->second);
+      add_element(out_, "numeric",
+                  {{"name", std::string(kMotorPrefix) + names_of_joints_(element_name(element))},
+                   {"data", motor_line_data(torque_of(joint), speed->second)}});
+    });
+    if (used.empty()) return;
+    out_.CloseElement();
+    const auto [least, most] = std::minmax_element(used.begin(), used.end());
+    notes_.push_back(speed_limits_note(static_cast<int>(used.size()), *least, *most));
+  }
+
   void tell_servos(int added, int beyond, const std::vector<std::string>& without) {
     if (!without.empty())
       notes_.push_back(fmt::format(
@@ -364,6 +351,7 @@ class MjcfWriter {
   mjSpec& spec_;
   const UrdfMending& mending_;
   const MeshSources& meshes_;
+  const std::map<std::string, double>& speeds_;
   std::vector<std::string>& notes_;
   tinyxml2::XMLPrinter out_;
   std::set<std::string> names_, coupled_;                   // coupled_: as the spec calls them
@@ -375,8 +363,9 @@ class MjcfWriter {
 }  // namespace
 
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                        const MeshSources& meshes, std::vector<std::string>& notes) {
-  return MjcfWriter(spec, mending, meshes, notes).write(trunk);
+                        const MeshSources& meshes, const std::map<std::string, double>& speeds,
+                        std::vector<std::string>& notes) {
+  return MjcfWriter(spec, mending, meshes, speeds, notes).write(trunk);
 }
 
 }  // namespace legwright

@@ -28,8 +28,10 @@ struct MjcfOfSpec {
 /// digits of its numbers, names as they are, nothing that is a default. The trunk floats; joints
 /// with a torque limit get position servos, and the reflected inertia of those (kRotorTime).
 /// @param meshes whose Collada files are written out
+/// @param speeds limits of joints by name, which the spec does not hold (speed_limits())
 /// @param notes gets a sentence for what was added
 MjcfOfSpec mjcf_of_spec(mjSpec& spec, mjsBody& trunk, const UrdfMending& mending,
-                        const MeshSources& meshes, std::vector<std::string>& notes);
+                        const MeshSources& meshes, const std::map<std::string, double>& speeds,
+                        std::vector<std::string>& notes);
 
 }  // namespace legwright

@@ -15,6 +15,7 @@
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
+#include "mjcf/urdf/speed_limits.hpp"
 #include "mjcf/urdf/urdf_meshes.hpp"
 
 namespace legwright {
@@ -249,7 +250,8 @@ MjcfOfUrdf UrdfReader::read(const UrdfMending& mending) {
     if (!spec)
       throw InputError(file_.string(), 0, "URDF", "MuJoCo refuses it: " + reason_of(error.data()));
     mjsBody& trunk = mend_bodies(*spec, file_, out.notes);
-    MjcfOfSpec written = mjcf_of_spec(*spec, trunk, mending, meshes, out.notes);
+    MjcfOfSpec written =
+        mjcf_of_spec(*spec, trunk, mending, meshes, speed_limits(*xml_), out.notes);
     out.text = std::move(written.text);
     out.without_moments = std::move(written.without_moments);
   });

@@ -44,11 +44,11 @@ class UrdfReader {
 /// The robot of a URDF as MuJoCo's own reader takes it, as MJCF that stands where the URDF does:
 /// links and joints keep their names, masses, frames and colours. Mended: the trunk gets a free
 /// joint in the place of links without mass above it; joints with <limit effort> get position
-/// servos of that torque with default gains (kFullTorqueError, kDampingTime) and the reflected
-/// inertia of geared motors; paths of meshes
-/// (package://, file://) are looked up, Collada is written out (ColladaMeshes), and what nobody can
-/// read is left out; links without
-/// <inertial> stay without mass, those that move get that of what is fixed to them.
+/// servos of that torque with default gains (kFullTorqueError, kDampingTime), motor lines of their
+/// <limit velocity> (motor_line_data()), and the reflected inertia of geared motors; paths of
+/// meshes (package://, file://) are looked up, Collada is written out (ColladaMeshes), and what
+/// nobody can read is left out; links without <inertial> stay without mass, those that move get
+/// that of what is fixed to them.
 /// Throws InputError with the line in the URDF, or with MuJoCo's reason.
 /// @param mending nothing but for a second reading (mending_of())
 MjcfOfUrdf mjcf_of_urdf(const std::string& text, const std::filesystem::path& file,

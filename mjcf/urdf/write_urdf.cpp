@@ -12,6 +12,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
+#include "mjcf/urdf/speed_limits.hpp"
 #include "mjcf/urdf/urdf_shapes.hpp"
 
 namespace legwright {
@@ -21,7 +22,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kNoMass = 1e-12, kNoInertia = 1e-14;  // [kg], [kg m²]; MuJoCo wants 1e-15
-constexpr double kNoSpeedLimit = 1000.0;               // [rad/s], [m/s]
+constexpr double kNoPlaceLimit = 1000.0;               // of slides [m]
 constexpr double kNoEffortLimit = 1e6;                 // [N m], [N]
 
 class UrdfWriter {
@@ -166,12 +167,12 @@ class UrdfWriter {
     XmlAttributes limit;
     const mjtNum* const range = model_.jnt_range + std::ptrdiff_t{2} * joint;
     if (limited || slide) {
-      limit.emplace_back("lower", urdf_number(limited ? range[0] : -kNoSpeedLimit));
-      limit.emplace_back("upper", urdf_number(limited ? range[1] : kNoSpeedLimit));
+      limit.emplace_back("lower", urdf_number(limited ? range[0] : -kNoPlaceLimit));
+      limit.emplace_back("upper", urdf_number(limited ? range[1] : kNoPlaceLimit));
       unlimited_slides_ += limited ? 0 : 1;
     }
     limit.emplace_back("effort", urdf_number(effort_of(joint)));
-    limit.emplace_back("velocity", urdf_number(kNoSpeedLimit));
+    limit.emplace_back("velocity", urdf_number(speed_of(joint)));
     add_element(out_, "limit", limit);
     const int dof = model_.jnt_dofadr[joint];
     add_element(out_, "dynamics",
@@ -180,6 +181,15 @@ class UrdfWriter {
     out_.CloseElement();
     armatures_ += model_.dof_armature[dof] > 0.0 ? 1 : 0;
     springs_ += model_.jnt_stiffness[joint] != 0.0 ? 1 : 0;
+  }
+
+  /// Without load, of motors whose torque falls with speed [rad/s].
+  double speed_of(int joint) {
+    const std::string name = name_of(model_, mjOBJ_JOINT, joint);
+    for (const Servo& servo : robot_.servos)
+      if (servo.joint == name && servo.line) return servo.line->no_load_speed;
+    ++unlimited_speeds_;
+    return kNoSpeedLimit;
   }
 
   /// That of the plan's motors; of what rides along, of the file. 0: nothing moves it.
@@ -232,8 +242,11 @@ class UrdfWriter {
     say(springs_, "springs (joints: {})");
     say(unlimited_motors_, "motors without a limit ({}): their effort of 1e6 stands for none");
     say(unlimited_slides_, "slides without a range ({}): theirs is from -1000 to 1000 m");
-    say(static_cast<long long>(joints_.size()),
-        "speed limits, which MJCF has not (joints: {}): the velocity of 1000 stands for none");
+    say(unlimited_speeds_,
+        "speeds of motors that the file does not tell (joints: {}): the velocity of 1000 stands "
+        "for none");
+    say(static_cast<long long>(joints_.size()) - unlimited_speeds_,
+        "torques of motors between rest and their speed without load (joints: {})");
     say(model_.nu, "gains of actuators ({})");
     say(model_.neq, "equality constraints ({})");
     say(model_.ntendon, "tendons, linear actuators among them ({})");
@@ -259,6 +272,7 @@ class UrdfWriter {
   std::map<int, Vector3d> origin_of_body_;
   std::vector<std::string> joints_;
   int empty_links_ = 0, armatures_ = 0, springs_ = 0, unlimited_motors_ = 0, unlimited_slides_ = 0;
+  int unlimited_speeds_ = 0;
 };
 
 }  // namespace

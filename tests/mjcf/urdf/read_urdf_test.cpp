@@ -71,10 +71,41 @@ TEST(ReadUrdf, KeepsNamesPlacesMassesAndColours) {
 
 TEST(ReadUrdf, TellsWhatItMended) {
   const MjcfOfUrdf hopper = made(kHopper);
-  ASSERT_EQ(hopper.notes.size(), 3u);
+  ASSERT_EQ(hopper.notes.size(), 4u);
   EXPECT_TRUE(tells(hopper.notes[0], "'mount' has no mass and is left out")) << hopper.notes[0];
   EXPECT_TRUE(tells(hopper.notes[1], "2 joints get position servos")) << hopper.notes[1];
   EXPECT_TRUE(tells(hopper.notes[2], "reflected inertia of geared ones")) << hopper.notes[2];
+  EXPECT_TRUE(tells(hopper.notes[3], "2 motors keep their <limit velocity>, 20 rad/s"))
+      << hopper.notes[3];
+}
+
+TEST(ReadUrdf, SpeedLimitsAreThoseOfMotorsAndComeBack) {
+  const std::string urdf =
+      test::with(kHopper, "effort=\"6\" velocity=\"20\"", "effort=\"6\" velocity=\"1.5\"");
+  const MjcfOfUrdf hopper = made(urdf);
+  const RobotModel robot = parse_robot(hopper.text, "hopper.xml");
+  const Joint &hip = robot.morphology.links[1].joint, &knee = robot.morphology.links[2].joint;
+  ASSERT_TRUE(hip.line && knee.line) << hopper.text;
+  EXPECT_EQ(hip.line->no_load_speed, 1.5);
+  EXPECT_EQ(hip.line->stall_torque, 12.0) << "its effort is there up to half of that speed";
+  EXPECT_EQ(hip.torque_limit, 6.0);
+  EXPECT_EQ(knee.line->no_load_speed, 20.0);
+  EXPECT_TRUE(tells(hopper.notes.back(), "1.5 to 20 rad/s")) << hopper.notes.back();
+  const UrdfRobot back = urdf_of(robot, *compile_mjcf(robot.xml, robot.file), "meshes/");
+  EXPECT_TRUE(tells(back.text, "effort=\"6\" velocity=\"1.5\"")) << back.text;
+  EXPECT_TRUE(tells(back.text, "effort=\"4\" velocity=\"20\"")) << back.text;
+}
+
+TEST(ReadUrdf, SpeedsThatStandForNoneAreNone) {
+  for (const char* none : {" velocity=\"0\"", " velocity=\"1000\"", ""}) {
+    const std::string limit = "effort=\"6\" velocity=\"20\"";
+    const MjcfOfUrdf hopper = made(test::with(kHopper, limit, std::string("effort=\"6\"") + none));
+    const RobotModel robot = parse_robot(hopper.text, "hopper.xml");
+    EXPECT_FALSE(robot.morphology.links[1].joint.line) << none;
+    EXPECT_TRUE(robot.morphology.links[2].joint.line) << none;
+    const UrdfRobot back = urdf_of(robot, *compile_mjcf(robot.xml, robot.file), "meshes/");
+    EXPECT_TRUE(tells(back.text, "effort=\"6\" velocity=\"1000\"")) << back.text;
+  }
 }
 
 /// In the world's axes.
