@@ -9,6 +9,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/size_limits.hpp"
+#include "mjcf/text/written_out.hpp"
 #include "optimizer/design/morphology.hpp"
 
 namespace legwright {
@@ -49,7 +50,8 @@ bool is_listed(std::string_view list, std::string_view word) {
   return false;
 }
 
-constexpr std::string_view kGenerators = " composite flexcomp replicate attach flex ";
+constexpr std::string_view kGenerators = " composite replicate attach ";
+constexpr std::string_view kSoftBodies = " flexcomp flex ";
 
 /// Beyond these bounds digits get lost that the checks after a rewrite look at.
 void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_view name,
@@ -177,7 +179,9 @@ void check_has_free_joint(const XmlFile& xml) {
 /// Throws InputError at the first thing in an element with which no robot is read.
 void check_element(const XmlFile& xml, const XmlElement& element) {
   if (is_listed(kGenerators, element.Name()))
-    throw xml.error(element, "generated parts are not read; write the bodies out");
+    throw xml.error(element, "generated parts are not read; " + written_out_cure(xml.file));
+  if (is_listed(kSoftBodies, element.Name()))
+    throw xml.error(element, "soft bodies are not read; remove it");
   if (is_tag(element, "compiler") && attribute(element, "fusestatic") == "true")
     throw xml.error(element, "attribute fusestatic: hides bodies that parameters name; remove it");
   if (is_tag(element, "plugin") || is_tag(element, "extension"))

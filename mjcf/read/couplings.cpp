@@ -151,9 +151,11 @@ void check_loops(const XmlFile& xml, const mjModel& model, const Structure& stru
         element,
         one == 0 || two == 0
             ? "equality constraints that hold a body in the world are not played; remove it"
-            : "equality constraints close loops, of which the planner knows none; the planner "
-              "knows trees of hinges only: remove it, or drive the chain that it closes by one "
-              "actuator at a hinge"));
+            : "closes a loop; legs with parallel linkages are not supported, as the planner knows "
+              "trees of hinges only, each with its own motor. What it can plan is a robot with "
+              "open legs: remove this and the links that end here without a foot, and give each "
+              "hinge that is left an actuator (the angles of the real motors follow from the "
+              "linkage)"));
   }
 }
 

@@ -67,10 +67,23 @@ class Printer {
   void refuse_if(bool fault, const Solid& solid, const std::string& what) const {
     if (fault)
       throw xml_.error(*solid.element,
-                       fmt::format("a stretched body without <inertial> is printed, density times "
-                                   "geometry, which does not know {}; or give the body an "
+                       fmt::format("{} {}, as the body has no <inertial>; how that grows "
+                                   "with the body is not known of {}; or give the body an "
                                    "<inertial>",
+                                   place_of(*solid.element),
+                                   solid.mass_given ? "weighs what its mass says"
+                                                    : "weighs density times geometry",
                                    what));
+  }
+
+  /// "in body 'shank'"; empty where that has no name.
+  static std::string place_of(const XmlElement& geom) {
+    const XmlElement* body = geom.Parent()->ToElement();
+    while (body != nullptr && !is_tag(*body, "body"))  // a <frame>
+      body = body->Parent()->ToElement();
+    return body == nullptr || !has_attribute(*body, "name")
+               ? "of a body without name"
+               : fmt::format("in body '{}'", attribute(*body, "name"));
   }
 
   /// The stretch along a direction; nullptr if all are across it.

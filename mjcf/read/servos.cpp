@@ -227,6 +227,16 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
                              morphology.links[linear.joint + 1].joint.nominal));
 }
 
+InputError without_actuator(const XmlFile& xml, const mjModel& model, const std::string& joint) {
+  const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
+  const char* const what = model.jnt_stiffness[id] != 0.0 ? "is a spring without" : "has no";
+  return error_at(xml, model, mjOBJ_JOINT, id,
+                  fmt::format("{} actuator; passive joints in legs are not supported. If a motor "
+                              "moves it, add <position joint=\"{}\" kp= kv= forcerange=/>; else "
+                              "remove the joint, which fixes its body to the one above",
+                              what, joint));
+}
+
 }  // namespace
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
@@ -249,10 +259,7 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const std::string& joint = morphology.links[a + 1].joint.name;
     const auto found = actuator_of.find(joint);
-    if (found == actuator_of.end())
-      throw error_at(
-          xml, model, mjOBJ_JOINT, mj_name2id(&model, mjOBJ_JOINT, joint.c_str()),
-          fmt::format("has no actuator; add <position joint=\"{}\" kp= kv= forcerange=/>", joint));
+    if (found == actuator_of.end()) throw without_actuator(xml, model, joint);
     const int actuator = found->second;
     servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
                                 kFullTorqueError * home_arm(model, morphology, s, actuator)));

@@ -11,6 +11,7 @@
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/text/size_limits.hpp"
+#include "mjcf/text/written_out.hpp"
 
 namespace legwright {
 namespace {
@@ -125,8 +126,8 @@ std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,
       else
         reasons.add(xml.error(
             element, fmt::format("refers to the file '{}'; only <include>, meshes, textures and "
-                                 "height fields may: write it out here",
-                                 attribute(element, next->attribute))));
+                                 "height fields may: {}",
+                                 attribute(element, next->attribute), written_out_cure(xml.file))));
     }
   });
   reasons.throw_if_any();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "mjcf/read/foot_words.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -103,10 +104,13 @@ std::string gait_text(const Finding& found) {
       "stance\n",
       gait.name(), gait.period(), gait.knot_count(), 1e3 * gait.time_step(),
       found.task.planted_margin, found.task.planted_margin == 1 ? "" : "s");
-  const std::string diagram = footfall_diagram(gait, foot_names(found.robot.morphology));
-  for (std::size_t start = 0, end; (end = diagram.find('\n', start)) != std::string::npos;
-       start = end + 1)
-    text += "  " + diagram.substr(start, end - start) + "\n";
+  const Morphology& morphology = found.robot.morphology;
+  std::istringstream diagram(footfall_diagram(gait, foot_names(morphology)));
+  std::vector<std::string> rows;
+  for (std::string row; std::getline(diagram, row);) rows.push_back(row);
+  for (const int j :
+       order_as_faced(home_feet(morphology, found.robot.space.initial()), found.file.forward))
+    text += "  " + rows[static_cast<std::size_t>(j)] + "\n";
   const SupportRange support = support_range(gait);
   return text + fmt::format("  # stance, . swing; one column per knot; {} to {} feet stand\n",
                             support.least, support.most);

@@ -66,8 +66,8 @@ TEST_F(Assets, AssetsAreThoseThatMujocoReads) {
 
 TEST_F(Assets, OtherElementsNameNoFiles) {
   put(home_ / "a.xml", "<mujoco><worldbody/></mujoco>");
-  EXPECT_TRUE(
-      has(refusal("<mujoco><asset><model file=\"a.xml\"/></asset></mujoco>"), "write it out here"));
+  EXPECT_TRUE(has(refusal("<mujoco><asset><model file=\"a.xml\"/></asset></mujoco>"),
+                  "m.mj_saveLastXML('"));
   for (const char* text :
        {"<mujoco><asset><mesh file=\"/etc/passwd\"/></asset></mujoco>",
         "<mujoco><compiler meshdir=\"/etc\"/><asset><mesh file=\"passwd\"/></asset></mujoco>",

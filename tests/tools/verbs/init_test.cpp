@@ -93,6 +93,26 @@ TEST_F(InitOnTwoFeet, WritesThemAllTheSameWhereTheGaitIsNamed) {
   }
 }
 
+/// Rows of footfalls stand as limbs do, whatever the order of the file.
+TEST(Check, FootfallsAreInTheOrderOfLimbs) {
+  const test::TemporaryFolder folder;
+  const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "task.toml";
+  write_file(robot, test::read_file(test::source_path("tests/robots/servo_dog/robot.xml")));
+  write_file(task,
+             "robot = \"robot.xml\"\n[gait]\nname = \"trot\"\nperiod = 0.5\n[travel]\n"
+             "velocity = [0.1, 0.0]\nforward = \"-x\"\n");
+  const Outcome told = call({"check", task.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const std::string rows = told.out.substr(told.out.find("\ngait "));
+  std::size_t at = 0;
+  for (const char* foot : {"\n  HR_foot", "\n  HL_foot", "\n  FR_foot", "\n  FL_foot"}) {
+    const std::size_t next = rows.find(foot);
+    ASSERT_NE(next, std::string::npos) << told.out;
+    EXPECT_GT(next, at) << told.out;
+    at = next;
+  }
+}
+
 class InitOfUrdf : public testing::Test {
  protected:
   InitOfUrdf() {
