@@ -9,6 +9,7 @@
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/listed.hpp"
+#include "mjcf/text/model_arrays.hpp"
 #include "optimizer/design/kinematics.hpp"
 
 namespace legwright {
@@ -20,6 +21,7 @@ constexpr double kLongestLeg = 10.0;  // [m]; large robots have some 1.5
 constexpr double kDensest = 2e4;
 // Of what carries the robot on stretched legs; strong legs have some ten times that.
 constexpr double kPlaceholder = 20.0;
+constexpr double kOtherUnit = 30.0;                      // times as long: no leg is drawn so
 constexpr double kWidestRange = 4.0 * std::numbers::pi;  // [rad], either way
 
 std::string of_ranges(const RobotModel& robot) {
@@ -62,6 +64,57 @@ std::string of_torques(const RobotModel& robot) {
       most, listed(names), most / carries);
 }
 
+/// How far the geoms of a body, and the bodies that hang on it, are from it [m].
+std::vector<double> reach_of_bodies(const mjModel& model) {
+  std::vector<double> reach(static_cast<std::size_t>(model.nbody), 0.0);
+  const auto raise = [&](int body, double to) {
+    double& known = reach[static_cast<std::size_t>(body)];
+    known = std::max(known, to);
+  };
+  for (int b = 1; b < model.nbody; ++b)
+    raise(model.body_parentid[b], vector_at(model.body_pos, b).norm());
+  for (int g = 0; g < model.ngeom; ++g)
+    raise(model.geom_bodyid[g], vector_at(model.geom_pos, g).norm() + model.geom_rbound[g]);
+  return reach;
+}
+
+int depth_below(const mjModel& model, int trunk, int body) {
+  int depth = 0;
+  for (; body != trunk; body = model.body_parentid[body]) ++depth;
+  return depth;
+}
+
+/// One link that is many times as long as those that are built alike in the other legs.
+std::string of_one_link(const mjModel& model, int trunk) {
+  const std::vector<double> reach = reach_of_bodies(model);
+  int longest = -1;
+  for (int b = trunk + 1; b < model.nbody; ++b)
+    if (model.body_rootid[b] == trunk &&
+        (longest < 0 ||
+         reach[static_cast<std::size_t>(b)] > reach[static_cast<std::size_t>(longest)]))
+      longest = b;
+  if (longest < 0) return "";
+  std::vector<std::string> alike;
+  double other = 0.0;
+  for (int b = trunk + 1; b < model.nbody; ++b) {
+    if (b == longest || model.body_rootid[b] != trunk ||
+        depth_below(model, trunk, b) != depth_below(model, trunk, longest) ||
+        model.body_geomnum[b] != model.body_geomnum[longest] ||
+        model.body_jntnum[b] != model.body_jntnum[longest])
+      continue;
+    alike.push_back(name_of(model, mjOBJ_BODY, b));
+    other = std::max(other, reach[static_cast<std::size_t>(b)]);
+  }
+  const double own = reach[static_cast<std::size_t>(longest)];
+  if (alike.empty() || !(other > 0.0) || own < kOtherUnit * other) return "";
+  const bool millimetres = own > kOtherUnit * kOtherUnit / 3.0 * other;
+  return fmt::format(
+      "link '{}' is {:.3g} m long, {:.0f} times as long as those like it ({}): one of its numbers "
+      "seems to be in {}; multiply that by {}",
+      name_of(model, mjOBJ_BODY, longest), own, own / other, listed(alike),
+      millimetres ? "millimetres" : "centimetres", millimetres ? 0.001 : 0.01);
+}
+
 }  // namespace
 
 double carrying_torque(const Morphology& morphology) {
@@ -75,7 +128,9 @@ std::vector<std::string> doubtful_units(const RobotModel& robot, const std::vect
     leg = std::max(leg, stretched_limb(robot.morphology, limb.foot, robot.space.initial()));
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   const double mass = model->body_subtreemass[robot.structure.trunk];
-  if (leg > kLongestLeg)
+  if (std::string one = of_one_link(*model, robot.structure.trunk); !one.empty())
+    out.push_back(std::move(one));
+  else if (leg > kLongestLeg)
     out.push_back(
         fmt::format("its legs are {:.3g} m long: lengths seem to be in millimetres or centimetres; "
                     "multiply them by 0.001 or 0.01",

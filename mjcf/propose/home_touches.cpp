@@ -16,6 +16,7 @@ namespace legwright {
 namespace {
 
 constexpr double kDeep = 1e-6;          // [m]: less is rounding
+constexpr double kOverlap = 1e-4;       // [m]: less does not push a robot
 constexpr std::size_t kMostListed = 4;  // of them
 
 using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
@@ -35,17 +36,34 @@ Depths home_depths(const mjModel& model, const std::filesystem::path& file) {
   return out;
 }
 
-std::string describe_geom(const mjModel& model, int geom) {
+std::string describe_shape(const mjModel& model, int geom) {
   static const std::map<int, const char*> kinds{
       {mjGEOM_SPHERE, "a sphere"}, {mjGEOM_CAPSULE, "a capsule"},
       {mjGEOM_BOX, "a box"},       {mjGEOM_CYLINDER, "a cylinder"},
       {mjGEOM_MESH, "a mesh"},     {mjGEOM_ELLIPSOID, "an ellipsoid"}};
-  const std::string name = name_of(model, mjOBJ_GEOM, geom),
-                    body = name_of(model, mjOBJ_BODY, model.geom_bodyid[geom]);
+  const std::string name = name_of(model, mjOBJ_GEOM, geom);
+  if (!name.empty()) return fmt::format("geom '{}'", name);
   const auto kind = kinds.find(model.geom_type[geom]);
-  const std::string of = body.empty() ? "a body without name" : "'" + body + "'";
-  if (!name.empty()) return fmt::format("geom '{}' of {}", name, of);
-  return fmt::format("{} of {}", kind == kinds.end() ? "a geom" : kind->second, of);
+  return kind == kinds.end() ? "a geom" : kind->second;
+}
+
+std::string describe_body(const mjModel& model, int body) {
+  const std::string name = name_of(model, mjOBJ_BODY, body);
+  return name.empty() ? "a body without name" : "'" + name + "'";
+}
+
+std::string describe_geom(const mjModel& model, int geom) {
+  return describe_shape(model, geom) + " of " + describe_body(model, model.geom_bodyid[geom]);
+}
+
+/// Whether MuJoCo lets two bodies pass when the robot is played, where held joints are gone.
+bool pass_when_played(const mjModel& model, const Structure& structure, int first, int second) {
+  const int a = moving_body(model, structure, first), b = moving_body(model, structure, second);
+  const auto above = [&](int body) {
+    return moving_body(model, structure, model.body_parentid[body]);
+  };
+  if (a == b) return true;
+  return (model.opt.disableflags & mjDSBL_FILTERPARENT) == 0 && (above(a) == b || above(b) == a);
 }
 
 ModelPointer compiled(const std::filesystem::path& file) {
@@ -88,6 +106,48 @@ std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesyst
   std::stable_sort(out.begin(), out.end(),
                    [](const BodyTouch& a, const BodyTouch& b) { return a.depth > b.depth; });
   return out;
+}
+
+std::vector<std::string> overlapping_links(const RobotModel& robot) {
+  struct Pair {
+    int first_geom, second_geom;
+    double depth;
+  };
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  std::map<std::pair<int, int>, Pair> deepest;  // of two bodies
+  for (const auto& [geoms, depth] : home_depths(*model, robot.file)) {
+    const auto bodies =
+        std::minmax({model->geom_bodyid[geoms.first], model->geom_bodyid[geoms.second]});
+    const bool of_robot = model->body_rootid[bodies.first] == robot.structure.trunk &&
+                          model->body_rootid[bodies.second] == robot.structure.trunk;
+    if (!of_robot || depth < kOverlap ||
+        pass_when_played(*model, robot.structure, bodies.first, bodies.second))
+      continue;
+    const bool ordered = model->geom_bodyid[geoms.first] == bodies.first;
+    const Pair found{ordered ? geoms.first : geoms.second, ordered ? geoms.second : geoms.first,
+                     depth};
+    const auto known = deepest.emplace(bodies, found).first;
+    if (known->second.depth < depth) known->second = found;
+  }
+  if (deepest.empty()) return {};
+  std::vector<Pair> pairs;
+  for (const auto& [bodies, pair] : deepest) pairs.push_back(pair);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.depth > b.depth; });
+  std::vector<std::string> told;
+  for (const Pair& pair : pairs)
+    told.push_back(fmt::format(
+        "{} is {:.2g} mm inside {}{} ({} in {})",
+        describe_body(*model, model->geom_bodyid[pair.second_geom]), 1e3 * pair.depth,
+        describe_body(*model, model->geom_bodyid[pair.first_geom]),
+        told.empty() ? " in the home pose" : "", describe_shape(*model, pair.second_geom),
+        describe_shape(*model, pair.first_geom)));
+  const auto name = [&](int geom) { return name_of(*model, mjOBJ_BODY, model->geom_bodyid[geom]); };
+  return {fmt::format(
+      "{}: what is played pushes them apart, whatever the gait; give {} an <exclude body1=\"{}\" "
+      "body2=\"{}\"/> in <contact>, or make one smaller",
+      listed(told, kMostListed, "; "), told.size() == 1 ? "them" : "each two",
+      name(pairs[0].first_geom), name(pairs[0].second_geom))};
 }
 
 std::string describe(const std::vector<HomeTouch>& touches) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/read/robot_model.hpp"
+
 namespace legwright {
 
 /// Two geoms of a robot that are inside each other in its home pose, as MuJoCo's collision
@@ -34,6 +36,10 @@ struct BodyTouch {
 };
 /// Those of a model, the deepest first; bodies without names are left out. Throws as above.
 std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesystem::path& file);
+
+/// Links of a robot that overlap in its home pose, as MuJoCo would collide them when it is played:
+/// a sentence with names, depths and the cure; none where there are none. Throws as above.
+std::vector<std::string> overlapping_links(const RobotModel& robot);
 
 /// What there is to say of them, in a sentence with the cure; empty where there are none.
 std::string describe(const std::vector<HomeTouch>& touches);

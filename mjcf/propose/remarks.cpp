@@ -7,7 +7,9 @@
 #include "mjcf/propose/doubtful_masses.hpp"
 #include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/propose/foot_pictures.hpp"
+#include "mjcf/propose/home_touches.hpp"
 #include "mjcf/propose/nearly_mirrored.hpp"
+#include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/unread_ranges.hpp"
 
 namespace legwright {
@@ -18,7 +20,11 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
   for (std::string& remark : doubtful_units(robot, limbs)) out.push_back(std::move(remark));
   for (std::string& remark : unread_ranges(robot)) out.push_back(std::move(remark));
+  for (std::string& remark : odd_joints(robot)) out.push_back(std::move(remark));
+  if (std::string remark = unlimited_torques(robot); !remark.empty())
+    out.push_back(std::move(remark));
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
+  for (std::string& remark : overlapping_links(robot)) out.push_back(std::move(remark));
   for (std::string& remark : feet_beside_pictures(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));
   return out;

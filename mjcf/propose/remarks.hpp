@@ -10,9 +10,10 @@
 
 namespace legwright {
 
-/// What of how a robot is drawn may be a mistake, or is to be known: where it faces, legs that
-/// are nearly mirror images, ranges that are none, masses that cannot be those of their shapes,
-/// feet that touch elsewhere than they are drawn, and what touches the ground beside the feet.
+/// What of how a robot is drawn may be a mistake, or is to be known: where it faces, legs that are
+/// nearly mirror images, ranges that are none, joints that differ from those of the other legs,
+/// motors without limit, masses that cannot be those of their shapes, links that overlap, feet that
+/// touch elsewhere than they are drawn, and what touches the ground beside the feet.
 std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs,
                                     const Facing& facing);
 

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "mjcf/propose/beside_feet.hpp"
+#include "mjcf/propose/home_touches.hpp"
+#include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -245,6 +247,10 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   if (const auto axes = find_trunk_axes(robot.xml, robot.file))
     warnings.push_back(axes->why + "; plans and verdicts take z for up: `legwright init " +
                        robot.file.filename().string() + " --write` turns the frame");
+  for (std::string& odd : odd_joints(robot)) warnings.push_back(std::move(odd));
+  if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)
+    warnings.push_back(why + ", or torque_limit in the task's [limits]");
+  for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
   if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(

@@ -75,5 +75,24 @@ TEST(DoubtfulUnits, TorquesOfAPlaceholderAreTold) {
       << found[0];
 }
 
+/// Not all lengths, but those of one bone.
+TEST(DoubtfulUnits, OneLinkOfAnotherUnitIsNamed) {
+  const std::string xml = test::read_file(test::source_path("tests/robots/servo_dog/robot.xml"));
+  const std::string bone = "<geom class=\"bone\" fromto=\"0 0 0 0 0 -0.08\"/>";
+  for (const auto& [length, words] : {std::pair("-80", "millimetres; multiply that by 0.001"),
+                                      std::pair("-8.0", "centimetres; multiply that by 0.01")}) {
+    const std::vector<std::string> told = doubts(parse_robot(
+        test::with(xml, bone,
+                   "<geom class=\"bone\" fromto=\"0 0 0 0 0 " + std::string(length) + "\"/>"),
+        "dog.xml"));
+    ASSERT_FALSE(told.empty()) << length;
+    EXPECT_NE(told[0].find("link 'FL_lower' is 8"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("(FR_lower, HL_lower, HR_lower)"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find(words), std::string::npos) << told[0];
+    for (const std::string& each : told)
+      EXPECT_EQ(each.find("multiply them"), std::string::npos) << each;
+  }
+}
+
 }  // namespace
 }  // namespace legwright

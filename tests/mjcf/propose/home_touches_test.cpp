@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/source_tree.hpp"
 
 namespace legwright {
 namespace {
@@ -55,6 +57,49 @@ TEST(HomeTouches, AreThoseOfTheDesignAlone) {
   const std::string without = test::with(kPair, "pos=\"0 0.02 0.19\"", "pos=\"0 0.02 0.1\"");
   ASSERT_EQ(touches(without, kPair).size(), 1u);
   EXPECT_EQ(touches(without, kPair)[0].second, "geom 'nail' of 'toe'");
+}
+
+/// The servo dog, whose bones touch nothing, with an upper leg and a trunk that do.
+std::string touching_dog(const std::string& trunk_size, const std::string& contact = "") {
+  std::string xml = test::read_file(test::source_path("tests/robots/servo_dog/robot.xml"));
+  xml = test::with(xml, "<geom class=\"bone\" fromto=\"0 0 0 0 0 -0.08\"/>",
+                   "<geom class=\"bone\" fromto=\"0 0 0 0 0 -0.08\" contype=\"1\"/>");
+  xml = test::with(xml, "<geom type=\"box\" size=\"0.1 0.045 0.02\"",
+                   "<geom name=\"shell\" type=\"box\" contype=\"1\" conaffinity=\"1\" size=\"" +
+                       trunk_size + "\"");
+  return test::with(xml, "</mujoco>", contact + "</mujoco>");
+}
+
+std::vector<std::string> overlaps(const std::string& xml) {
+  return overlapping_links(parse_robot(xml, "dog.xml"));
+}
+
+TEST(OverlappingLinks, AreToldWithDepthAndCure) {
+  EXPECT_TRUE(overlaps(touching_dog("0.1 0.045 0.02")).empty());
+  const std::vector<std::string> told = overlaps(touching_dog("0.1 0.066 0.08"));
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0],
+            "'FL_lower' is 6 mm inside 'frame' in the home pose (a capsule in geom 'shell'): what "
+            "is played pushes them apart, whatever the gait; give them an <exclude "
+            "body1=\"frame\" body2=\"FL_lower\"/> in <contact>, or make one smaller");
+  EXPECT_TRUE(overlaps(touching_dog("0.1 0.066 0.08",
+                                    "<contact><exclude body1=\"frame\" "
+                                    "body2=\"FL_lower\"/></contact>"))
+                  .empty())
+      << "the cure cures";
+}
+
+/// Upper legs hang on the trunk, with which MuJoCo lets them pass; the floor is no link.
+TEST(OverlappingLinks, AreThoseThatMujocoCollides) {
+  const std::string xml =
+      test::with(touching_dog("0.1 0.045 0.02"), "<geom class=\"knee_servo\"",
+                 "<geom class=\"knee_servo\" contype=\"1\" conaffinity=\"1\" name=\"servo\"");
+  EXPECT_TRUE(
+      overlaps(test::with(xml, "size=\"0.1 0.045 0.02\"", "size=\"0.1 0.066 0.02\"")).empty());
+  EXPECT_TRUE(
+      overlaps(test::with(xml, "<worldbody>",
+                          "<worldbody><geom type=\"plane\" size=\"1 1 1\" pos=\"0 0 0.05\"/>"))
+          .empty());
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/read/robot_model.hpp"
+
+namespace legwright {
+
+/// Joints of legs that differ from those in their place in all other legs of that many joints, as
+/// where one number of a file is wrong or missing: one without a range where all others have one,
+/// and one about the lateral axis whose sign lets its leg bend the other way than all others. A
+/// sentence each; of robots with fewer than three such legs nothing is certain.
+std::vector<std::string> odd_joints(const RobotModel& robot);
+
+/// The sentence on servos whose torque nobody limits; empty where all have limits.
+std::string unlimited_torques(const RobotModel& robot);
+
+}  // namespace legwright
