@@ -183,11 +183,12 @@ class UrdfWriter {
     springs_ += model_.jnt_stiffness[joint] != 0.0 ? 1 : 0;
   }
 
-  /// Without load, of motors whose torque falls with speed [rad/s].
+  /// Without load, of motors at the joint whose torque falls with speed [rad/s].
   double speed_of(int joint) {
     const std::string name = name_of(model_, mjOBJ_JOINT, joint);
     for (const Servo& servo : robot_.servos)
-      if (servo.joint == name && servo.line) return servo.line->no_load_speed;
+      if (servo.joint == name && servo.line && servo.tendon.empty())
+        return servo.line->no_load_speed;
     ++unlimited_speeds_;
     return kNoSpeedLimit;
   }
