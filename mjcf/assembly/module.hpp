@@ -105,6 +105,8 @@ struct Module {
   std::vector<std::string> cable;  // attachments at which cables leave
 
   std::string_view kind_name() const { return kModuleKinds[static_cast<std::size_t>(kind)]; }
+  /// Whether it turns a joint of a limb.
+  bool is_drive() const { return kind == ModuleKind::servo || kind == ModuleKind::linear; }
 };
 
 /// The box around all of a module's outline, along its axes [m].

@@ -77,6 +77,7 @@ class Printer {
   }
 
   /// "in body 'shank'"; empty where that has no name.
+  /// "in body 'shank'", or that it has no name.
   static std::string place_of(const XmlElement& geom) {
     const XmlElement* body = geom.Parent()->ToElement();
     while (body != nullptr && !is_tag(*body, "body"))  // a <frame>

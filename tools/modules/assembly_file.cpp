@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
@@ -57,26 +58,23 @@ class AssemblyReader {
     problems_.add(in.line_of(key), in.full(key), message);
   }
 
-  /// The module that a key names; another kind than `kind` is refused. Null where there is none.
-  const Module* module_of(TaskTable& in, std::string_view key, ModuleKind kind) {
+  /// The module that a key names; another kind than `kind` or `other` is refused. Null where there
+  /// is none.
+  const Module* module_of(TaskTable& in, std::string_view key, ModuleKind kind,
+                          std::optional<ModuleKind> other = {}) {
     const auto name = in.text(key);
-    return name ? module_named(in, key, *name, kind) : nullptr;
-  }
-
-  const Module* module_named(TaskTable& in, std::string_view key, const std::string& name,
-                             ModuleKind kind) {
-    const ModuleFile* found = library_.find_or_null(name);
-    const std::string_view wanted = kModuleKinds[static_cast<std::size_t>(kind)];
-    if (found && found->module.kind == kind) return &found->module;
+    if (!name) return nullptr;
+    const auto may = [&](const Module& module) {
+      return module.kind == kind || module.kind == other;
+    };
+    const ModuleFile* found = library_.find_or_null(*name);
+    if (found && may(found->module)) return &found->module;
     if (found)
       refuse(in, key,
-             fmt::format("names \"{}\", which is a {}; expected a {}", name,
-                         found->module.kind_name(), wanted));
+             fmt::format("names \"{}\", which is a {}; expected a {}", *name,
+                         found->module.kind_name(), kModuleKinds[static_cast<std::size_t>(kind)]));
     else
-      refuse_unknown(in, key, name, [&](const Module& other) {
-        return other.kind == kind ||
-               (in.full(key) == "limb.joint.servo" && other.kind == ModuleKind::linear);
-      });
+      refuse_unknown(in, key, *name, may);
     return nullptr;
   }
 
@@ -175,19 +173,13 @@ class AssemblyReader {
     in.require(name.has_value(), "module", "module = \"lipo_3s_2200\"");
     const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
     if (name && !found)
-      refuse_unknown(in, "module", *name,
-                     [](const Module& other) { return other.kind > ModuleKind::linear; });
-    if (found && found->module.kind == ModuleKind::servo)
+      refuse_unknown(in, "module", *name, [](const Module& other) { return !other.is_drive(); });
+    if (found && found->module.is_drive())
       refuse(in, "module",
-             fmt::format("names \"{}\", a servo, which stands in a limb's joint; expected what "
-                         "rides on the trunk",
-                         *name));
-    if (found && found->module.kind == ModuleKind::linear)
-      refuse(
-          in, "module",
-          fmt::format("names \"{}\", a linear actuator, which stands in a limb's joint; expected "
-                      "what rides on the trunk",
-                      *name));
+             fmt::format("names \"{}\", a {}, which stands in a limb's joint; expected what rides "
+                         "on the trunk",
+                         *name,
+                         found->module.kind == ModuleKind::servo ? "servo" : "linear actuator"));
     if (found) part.module = found->module;
     if (const auto position = in.numbers("position")) part.position = vector_of(*position);
     in.finish();
@@ -343,12 +335,8 @@ class AssemblyReader {
 
   /// What turns a joint: a servo or a linear actuator. @return whether it is known
   bool read_servo(TaskTable& in, AssemblyJoint& joint) {
-    const auto name = in.text("servo");
-    const ModuleFile* found = name ? library_.find_or_null(*name) : nullptr;
-    const bool linear = found && found->module.kind == ModuleKind::linear;
-    const Module* own = linear ? &found->module
-                        : name ? module_named(in, "servo", *name, ModuleKind::servo)
-                               : servo_;
+    const Module* own =
+        in.has("servo") ? module_of(in, "servo", ModuleKind::servo, ModuleKind::linear) : servo_;
     if (own) joint.servo = *own;
     if (!in.has("servo") && !root_.has("servo"))
       in.require(false, "servo", "servo = \"XL430-W250\", here or at the top of the file");
