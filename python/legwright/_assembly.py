@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from legwright import _core
-from legwright._errors import InputError, IoError, check_readable
+from legwright._errors import InputError, IoError, unreadable
+from legwright._files import read_text
 from legwright._robot import Robot
 
 MODULES = Path(__file__).parent / 'share/legwright/modules'
@@ -32,10 +33,11 @@ def build(
         IoError: where `output` is there already, or something cannot be read or written.
     """
     file, place = Path(assembly), Path(output)
-    check_readable(file, 'give the path of an assembly file')
     folders = [MODULES, *(Path(each) for each in library)]
     try:
-        text = file.read_text(encoding='utf-8')
+        text = read_text(file)
+    except OSError as error:
+        raise unreadable(file, error, 'give the path of an assembly file') from None
     except UnicodeDecodeError as error:
         message = f'is no UTF-8, as TOML is: {error}'
         raise InputError(f'{file}: {message}', str(file), 0, '', message) from None

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a co-design hands back: a view of a run folder."""
 
-import json
 import os
 import shutil
 import tempfile
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from legwright import _core
 from legwright._errors import IoError
+from legwright._files import read_json
 from legwright._html import design_html
 from legwright._motion import Motion, read_motion
 from legwright._plugin import served_mujoco
@@ -88,7 +88,7 @@ class Design:
         return cls(folder)
 
     def _json(self, name: str) -> dict[str, Any]:
-        document: dict[str, Any] = json.loads((self.folder / name).read_text(encoding='utf-8'))
+        document: dict[str, Any] = read_json(self.folder / name)
         return document
 
     # ---- the body and its cost ----

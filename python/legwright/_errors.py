@@ -4,6 +4,8 @@
 import os
 from collections.abc import Sequence
 
+from legwright._files import open_regular
+
 
 class LegwrightError(Exception):
     """What Legwright refuses or cannot do, told so that it can be mended."""
@@ -57,10 +59,9 @@ def unreadable(file: 'str | os.PathLike[str]', error: OSError, cure: str) -> IoE
 
 
 def check_readable(file: 'str | os.PathLike[str]', cure: str) -> None:
-    """Raises IoError where a file cannot be read."""
+    """Raises IoError where a file cannot be read, or is none."""
     try:
-        with open(file, 'rb'):
-            pass
+        os.close(open_regular(file))
     except OSError as error:
         raise unreadable(file, error, cure) from None
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from legwright._errors import InputError
+from legwright._files import read_text
 
 Array = NDArray[np.float64]
 _CURE = '`legwright optimize` makes it anew'
@@ -65,7 +66,7 @@ def gait_table(file: Path, cure: str) -> dict[str, Array]:
     Raises OSError where there is none, InputError where it is none, with the cure.
     """
     try:
-        return _columns(file.read_text(encoding='utf-8'))
+        return _columns(read_text(file))
     except ValueError as error:
         text = f'{file}: is no table of a gait ({error}); {cure}'
         raise InputError(text, str(file)) from None

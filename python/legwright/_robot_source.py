@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from legwright._errors import InputError, IoError, check_readable
+from legwright._files import MOST_OF_ASSET, read_bytes
 
 _PACKAGE = 'robot_descriptions'
 _NAME = re.compile(r'[A-Za-z]\w*')
@@ -101,7 +102,7 @@ def _asset(spec: Any, directory: str, named: str) -> bytes:
             return data.encode('utf-8') if isinstance(data, str) else bytes(data)
     path = Path(spec.modelfiledir or '.') / inside
     try:
-        return path.read_bytes()
+        return read_bytes(path, MOST_OF_ASSET)
     except OSError as error:
         message = (
             f'file {named!r} is neither in spec.assets nor on disk ({path}: {error.strerror}); '

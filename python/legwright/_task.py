@@ -9,6 +9,7 @@ from typing import Any
 
 from legwright import _core, _toml
 from legwright._errors import InputError, unreadable
+from legwright._files import MOST_OF_TASK, read_text
 from legwright._options import kind_of
 from legwright._robot import Robot
 
@@ -121,7 +122,7 @@ class Task:
             IoError: where it is not there or cannot be read.
         """
         try:
-            text = Path(file).read_bytes().decode('utf-8')
+            text = read_text(file, MOST_OF_TASK)
         except OSError as error:
             raise unreadable(file, error, 'give the path of a task file') from None
         except UnicodeDecodeError as error:

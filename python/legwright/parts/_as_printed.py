@@ -15,6 +15,7 @@ import trimesh
 
 from legwright import _core
 from legwright._errors import InputError, unreadable
+from legwright._files import MOST_OF_RUN, read_bytes
 from legwright._validate import GAINS
 from legwright.parts._checks import Check, at_most
 from legwright.parts._gait import results_of
@@ -119,7 +120,7 @@ def as_printed(
         if file.resolve().is_relative_to(written) or _LEFT_OUT.fullmatch(name.as_posix()):
             continue
         try:
-            data = file.read_bytes()
+            data = read_bytes(file, MOST_OF_RUN)
         except OSError as error:
             raise unreadable(file, error, 'parts are made of a whole run') from None
         if name in weighed:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The folder of parts: written whole beside its place, then put there."""
 
-import json
 import os
 import secrets
 import shutil
@@ -9,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from legwright._errors import IoError
+from legwright._files import read_json
 
 CHECKS = 'checks.json'
 SCHEMA = 'legwright/parts'
@@ -17,7 +17,7 @@ SCHEMA = 'legwright/parts'
 def _is_ours(folder: Path) -> bool:
     """Whether all that a folder holds is what such a folder was written with."""
     try:
-        document = json.loads((folder / CHECKS).read_text(encoding='utf-8'))
+        document = read_json(folder / CHECKS)
         known = set(document['files'])
         ours = document['schema'] == SCHEMA
     except (OSError, ValueError, KeyError, TypeError):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from legwright._errors import InputError, together, unreadable
+from legwright._files import MOST_OF_ROBOT, read_bytes
 
 Array = NDArray[np.float64]
 MODULE, CONNECTOR = 'legwright_module/', 'legwright_connector/'
@@ -162,7 +163,7 @@ def read_words(file: Path) -> RobotWords:
     or one of its declarations is not as `legwright build` writes it: all that are wrong at once.
     """
     try:
-        root = ElementTree.fromstring(file.read_bytes())
+        root = ElementTree.fromstring(read_bytes(file, MOST_OF_ROBOT))
     except OSError as error:
         raise unreadable(file, error, 'give a run folder or the MJCF of a robot') from None
     except ElementTree.ParseError as error:

@@ -58,19 +58,19 @@ class Assemblies:
         named: str,
         settings: Mapping[Key, Any],
         places: Places,
-        read: Callable[[Path, Key], str],
+        read: Callable[[Path, Key], str | None],
     ) -> Built | None:
         """The robot of an assembly with what `build.…` keys set; None, with problems, where
         something is wrong with it.
 
         Args:
             named: the assembly's file, from the folder of the study.
-            read: gives the text of a file, or reports at the place that names it.
+            read: gives the text of a file, or reports at the place that names it: None.
         """
         file = self._folder / named
         before = len(self._problems)
         text = read(file, places.get(('assembly',), ('assembly',)))
-        if len(self._problems) > before:
+        if text is None:
             return None
         own = {
             key[1:]: value

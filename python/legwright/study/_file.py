@@ -10,6 +10,7 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError
+from legwright._files import read_text
 from legwright._options import kind_of
 from legwright.study import _options
 from legwright.study._measures import BEST
@@ -280,7 +281,7 @@ def read_study(study: str | os.PathLike[str] | Mapping[str, Any]) -> StudyFile:
         return _parse(_plain(study), MADE, '', {})
     file = Path(study)
     try:
-        text = file.read_bytes().decode('utf-8')
+        text = read_text(file)
     except OSError as error:
         cure = 'give the path of a study file, for instance study.toml'
         raise InputError(f'{file}: {error.strerror}; {cure}', str(file)) from None

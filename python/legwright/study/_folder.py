@@ -15,6 +15,7 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import IoError
+from legwright._files import read_json
 from legwright._robot import Robot
 from legwright.study._points import Robots
 
@@ -95,7 +96,7 @@ class StudyFolder:
         damaged."""
         file = self.point(hash_) / RECORD
         try:
-            record = json.loads(file.read_bytes())
+            record = read_json(file)
         except FileNotFoundError:
             return None
         except ValueError:

@@ -2,7 +2,6 @@
 """What a study keeps of a design: one number or word a column of the table."""
 
 import hashlib
-import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._design import Design
+from legwright._files import MOST_OF_RUN, read_bytes, read_json
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def _stands(folder: Path, of: Mapping[str, str]) -> bool:
     def same(name: str, known: str) -> bool:
         file = (folder / name).resolve()
         inside = file.is_relative_to(folder.resolve()) and file.is_file()
-        return inside and hashlib.sha256(file.read_bytes()).hexdigest() == known
+        return inside and hashlib.sha256(read_bytes(file, MOST_OF_RUN)).hexdigest() == known
 
     return 'result/scene.xml' in of and all(same(*each) for each in of.items() if '/' in each[0])
 
@@ -103,7 +103,7 @@ def of_validation(design: Design) -> dict[str, Any]:
     out: dict[str, Any] = {'validated': True, 'validated_verdict': ''}
     lines = []
     for name, each in design.tasks.items():
-        verdict = json.loads((each.folder / 'result/verdict.json').read_text(encoding='utf-8'))
+        verdict = read_json(each.folder / 'result/verdict.json')
         of = verdict.get('of')
         if of is not None and not _stands(each.folder, of):
             return {'validated': None, 'validated_verdict': 'not of this result: judge again'}
@@ -114,7 +114,7 @@ def of_validation(design: Design) -> dict[str, Any]:
             out |= {f'limit.{row["name"]}': row['value'] for row in verdict['result']['limits']}
         robustness = each.folder / 'result/robustness.json'
         if robustness.exists():
-            drawn = json.loads(robustness.read_text(encoding='utf-8'))['monte_carlo']
+            drawn = read_json(robustness)['monte_carlo']
             if drawn['samples'] > 0:
                 out['survival'] = min(drawn['share'], out.get('survival', 1.0))
     out['validated_verdict'] = '; '.join(lines)

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from legwright import _core
+from legwright._files import read_bytes
 from legwright.study._measures import Measure
 from legwright.study._table import FIRST, rows_of
 
@@ -41,6 +42,14 @@ def _words(value: Any) -> str:
     return f'{value:.4g}' if isinstance(value, float) else str(value)
 
 
+def _bytes_of(picture: Path) -> bytes:
+    """Nothing where there is none, or one that fits on no page."""
+    try:
+        return read_bytes(picture, _PICTURES)
+    except OSError:
+        return b''
+
+
 def _pictures(study: 'Study', rows: Rows) -> list[str | None]:
     """A data URI for each row that has a picture, as far as they fit."""
     left, out = _PICTURES, []
@@ -48,7 +57,7 @@ def _pictures(study: 'Study', rows: Rows) -> list[str | None]:
         record = study.records.get(row['hash'])
         name = record['measures'].get('picture') if record else None
         file = study.folder / 'points' / row['hash'] / name if name else None
-        data = file.read_bytes() if file and file.exists() else b''
+        data = _bytes_of(file) if file else b''
         left -= len(data)
         fits = data and left >= 0
         out.append('data:image/webp;base64,' + base64.b64encode(data).decode() if fits else None)

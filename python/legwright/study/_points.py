@@ -15,6 +15,7 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError
+from legwright._files import read_text
 from legwright._robot import Robot
 from legwright._task import Task
 from legwright.study import _options
@@ -112,20 +113,20 @@ class _Expansion:
         if file not in self._bases:
             self._bases[file] = {}
             try:
-                text = self._text(file, place)
-                _core.key_lines(text, file)  # which tells what is no TOML better
-                self._bases[file] = {'name': file.stem, **tomllib.loads(text)}
+                if (text := self._text(file, place)) is not None:
+                    _core.key_lines(text, file)  # which tells what is no TOML better
+                    self._bases[file] = {'name': file.stem, **tomllib.loads(text)}
             except InputError as error:
                 self.problems.add_of(file, error.line, error.where, error.message)
         return file, copy.deepcopy(self._bases[file])
 
-    def _text(self, file: Path, place: Key) -> str:
+    def _text(self, file: Path, place: Key) -> str | None:
         try:
-            return file.read_text(encoding='utf-8')
+            return read_text(file)
         except (OSError, UnicodeDecodeError) as error:
             why = error.strerror if isinstance(error, OSError) else 'it is no UTF-8'
             self.problems.add(place, f'{file} cannot be read: {why}')
-            return ''
+            return None
 
     def _robot_of(self, file: Path, place: Key) -> Robot | None:
         if not file.is_file():
