@@ -17,6 +17,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
+#include "tools/verbs/clean_end.hpp"
 #include "tools/verbs/parent_death.hpp"
 #include "tools/verbs/start_of_process.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -112,6 +113,7 @@ int main(int argc, char** argv) {
   try {
     legwright::start_of_process();
     legwright::end_with_caller();
+    const legwright::CleanEnd clean_end;
     return with_output(run_program(argc, argv));
   } catch (const std::bad_alloc&) {
     std::fputs("legwright: out of memory\n", stderr);

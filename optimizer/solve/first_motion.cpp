@@ -88,6 +88,7 @@ std::vector<Start> starts_of(const Objective& objective, const VectorXd& s, cons
         {"guess on the spot", [&] { return initial_guess(at_speed(objective, 0.0), s); }});
     starts.push_back({"plan of half the speed", [&] {
                         const Objective slower = at_speed(objective, kHalfSpeed);
+                        if (options.stopped()) return VectorXd();
                         const ScoutedMotion plan =
                             scout(slower, s, initial_guess(slower, s), options, "half the speed");
                         return std::isfinite(plan.value) ? plan.m : VectorXd();
@@ -108,16 +109,15 @@ VectorXd best_first_motion(const Objective& objective, const VectorXd& s,
                            const FirstMotionOptions& options) {
   const VectorXd guess = initial_guess(objective, s);
   std::vector<Start> starts = starts_of(objective, s, guess, options);
-  const auto stopped = [&] { return options.go_on && !options.go_on(); };
   // From the last to the first: the plan of half the speed takes two solves.
   const int count = static_cast<int>(starts.size());
   parallel_for(count, options.threads, [&](int k) {
     Start& start = starts[static_cast<std::size_t>(count - 1 - k)];
-    if (stopped()) return;
+    if (options.stopped()) return;
     start.m = start.make();
-    if (start.m.size() == 0) return;
+    if (start.m.size() == 0 || options.stopped()) return;
     start.value = scout(objective, s, start.m, options, start.name).value;
-    start.tried = !stopped();
+    start.tried = !options.stopped();
   });
   double least = std::numeric_limits<double>::infinity();
   const VectorXd* best = &guess;

@@ -19,6 +19,8 @@ struct FirstMotionOptions {
   Checkpoint checkpoint = {};        // of this first motion, as NewtonOptions::checkpoint
   std::function<bool()> go_on = {};  // asked before each Newton step; false: no further start
   int threads = 1;                   // starts tried at the same time; the result is the same
+
+  bool stopped() const { return go_on && !go_on(); }
 };
 
 /// m₀ for a body: of several first motions the one from which Newton's method comes to the least

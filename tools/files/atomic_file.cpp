@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "tools/files/io_error.hpp"
+#include "tools/files/unfinished_path.hpp"
 
 namespace legwright {
 
@@ -68,28 +69,32 @@ class TemporaryFile {
     for (int n = 0; n < kTries && !file_; ++n) {
       std::uint64_t random = 0;
       if (::getrandom(&random, sizeof random, 0) != sizeof random) return;
-      path_ = path.parent_path() / fmt::format(".{}.{:016x}.tmp", stem, random);
-      file_.emplace(path_, O_WRONLY | O_CREAT | O_EXCL, 0666);
+      path_.emplace(path.parent_path() / fmt::format(".{}.{:016x}.tmp", stem, random));
+      file_.emplace(path_->path(), O_WRONLY | O_CREAT | O_EXCL, 0666);
       if (file_->is_open()) return;
+      const int error = errno;
       file_.reset();
-      if (errno != EEXIST) return;
+      path_.reset();
+      errno = error;
+      if (error != EEXIST) return;
     }
   }
   ~TemporaryFile() {
-    if (file_ && !path_.empty()) ::unlink(path_.c_str());
+    if (file_ && path_) ::unlink(path_->path().c_str());
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   bool is_open() const { return file_.has_value(); }
   Descriptor& file() { return *file_; }
   bool replace(const fs::path& path) {
-    if (std::rename(path_.c_str(), path.c_str()) != 0) return false;
-    path_.clear();
-    return true;
+    const std::error_code error = path_->rename_to(path);
+    if (!error) path_.reset();
+    errno = error.value();
+    return !error;
   }
 
  private:
-  fs::path path_;
+  std::optional<UnfinishedPath> path_;
   std::optional<Descriptor> file_;
 };
 

@@ -79,24 +79,26 @@ UnfinishedFolder::UnfinishedFolder(const fs::path& target) : target_(target) {
   for (int n = 0;; ++n) {
     const fs::path path =
         target.parent_path() / fmt::format("{}{}.{}.tmp", head_of(target), getpid(), n);
+    const WholeChange whole;  // that it is there and that it is registered
     if (!fs::create_directory(path)) continue;
     const FolderLock lock = lock_folder(path);
     if (lock.is_others) continue;  // swept by another process before it was held
     held_ = lock.descriptor;
-    path_ = path;
+    path_.emplace(path);
     return;
   }
 }
 
 UnfinishedFolder::~UnfinishedFolder() {
   std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (path_) fs::remove_all(path_->path(), ignored);
   if (held_ >= 0) ::close(held_);
 }
 
 void UnfinishedFolder::appear() {
-  fs::rename(path_, target_);
-  path_.clear();
+  if (const std::error_code error = path_->rename_to(target_))
+    throw fs::filesystem_error("cannot rename", path_->path(), target_, error);
+  path_.reset();
 }
 
 }  // namespace legwright

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "tools/files/unfinished_path.hpp"
 
 namespace legwright {
 
@@ -16,13 +19,14 @@ class UnfinishedFolder {
   UnfinishedFolder(const UnfinishedFolder&) = delete;
   UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_->path(); }
   /// Gives it its name. Throws std::filesystem::filesystem_error where a folder with files has it.
   void appear();
 
  private:
-  std::filesystem::path target_, path_;
-  int held_ = -1;  // the folder, locked: nobody else sweeps it
+  std::filesystem::path target_;
+  std::optional<UnfinishedPath> path_;  // empty: it has its name
+  int held_ = -1;                       // the folder, locked: nobody else sweeps it
 };
 
 }  // namespace legwright

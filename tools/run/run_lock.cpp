@@ -126,6 +126,7 @@ RunLock::RunLock(const fs::path& run, Extent extent)
     if (is_same(opened, file) || n == kTries) {  // else it went away with whoever held it
       if (held) refuse_second_writer(opened, run);
       descriptor_ = opened;
+      file_.emplace(file);
       write_holder(opened, since_, "");
       return;
     }
@@ -139,6 +140,11 @@ RunLock::~RunLock() {
   if (stands()) ::unlink((folder_ / kFile).c_str());
   ::flock(descriptor_, LOCK_UN);  // for children, too, that were forked meanwhile
   ::close(descriptor_);
+}
+
+void RunLock::moved_to(const fs::path& folder) {
+  folder_ = folder;
+  file_.emplace(folder / kFile);
 }
 
 bool RunLock::stands() const { return is_same(descriptor_, folder_ / kFile); }

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "tools/files/unfinished_path.hpp"
+
 namespace legwright {
 
 /// Keeps other writers away from the folder of a run for as long as it lives: an exclusive flock on
@@ -29,7 +31,7 @@ class RunLock {
   /// Whether the folder at its path is still the locked one.
   bool stands() const;
   /// After the folder was renamed. @param folder its path now
-  void moved_to(const std::filesystem::path& folder) { folder_ = folder; }
+  void moved_to(const std::filesystem::path& folder);
   /// Tells readers of a folder beside in which a new run is being built; empty: of none.
   void note(const std::string& build) const;
   /// The locked folder: that of the run, or of the joint run that a task belongs to.
@@ -39,6 +41,7 @@ class RunLock {
   std::filesystem::path folder_;
   std::string since_;
   int descriptor_ = -1;
+  std::optional<UnfinishedPath> file_;
 };
 
 /// Where the new run is being built that will take the place of a run; none where nobody builds

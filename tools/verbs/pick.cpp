@@ -12,6 +12,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/replace_folder.hpp"
+#include "tools/files/unfinished_path.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/result_folder.hpp"
@@ -271,6 +272,7 @@ int pick(const PickOptions& options) {
       refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
   const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
 
+  const WholeChange whole;  // a signal waits for its end
   const std::vector<fs::path> between = between_results(folder, run);
   for (const fs::path& mark : between) write_file(mark, picked.name + "\n");
   remove_what_told(folder, run);

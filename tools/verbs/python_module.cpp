@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +14,7 @@
 
 #include "tools/files/io_error.hpp"
 #include "tools/run/install.hpp"
+#include "tools/verbs/handled_signals.hpp"
 #include "tools/verbs/parent_death.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
@@ -63,27 +63,24 @@ void pass_on(int signal, siginfo_t* about, void*) {
   if (started_child > 0 && about->si_code != SI_KERNEL) ::kill(started_child, signal);
 }
 
-/// While one lives, signals that ask to stop go to the child and leave this process alone.
+struct sigaction passing(pid_t child) {
+  started_child = child;
+  struct sigaction action {};
+  action.sa_sigaction = pass_on;
+  action.sa_flags = SA_SIGINFO;
+  return action;
+}
+
+/// While one lives, signals that ask to end go to the child and leave this process alone.
 class PassedSignals {
  public:
-  explicit PassedSignals(pid_t child) {
-    started_child = child;
-    struct sigaction action {};
-    action.sa_sigaction = pass_on;
-    action.sa_flags = SA_RESTART | SA_SIGINFO;
-    sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &before_[i]);
-  }
-  ~PassedSignals() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
-    started_child = 0;
-  }
+  explicit PassedSignals(pid_t child) : handled_(passing(child)) {}
+  ~PassedSignals() { started_child = 0; }
   PassedSignals(const PassedSignals&) = delete;
   PassedSignals& operator=(const PassedSignals&) = delete;
 
  private:
-  static constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
-  std::array<struct sigaction, kSignals.size()> before_;
+  HandledSignals handled_;
 };
 
 }  // namespace

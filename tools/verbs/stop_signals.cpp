@@ -15,20 +15,17 @@ void on_signal(int signal) {
   received_signal = signal;
 }
 
-}  // namespace
-
-StopSignals::StopSignals() {
+/// Forgets what came before.
+struct sigaction asking() {
   received_signal = 0;
   struct sigaction action {};
   action.sa_handler = on_signal;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &before_[i]);
+  return action;
 }
 
-StopSignals::~StopSignals() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
-}
+}  // namespace
+
+StopSignals::StopSignals() : handled_(asking()) {}
 
 int StopSignals::received() { return received_signal; }
 
