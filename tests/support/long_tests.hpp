@@ -7,8 +7,8 @@
 
 namespace legwright::test {
 
-/// Whether LEGWRIGHT_LONG_TESTS is set, as by `tools/test --long`: tests that take long and show more
-/// of what others show run as well, and those that take samples take all.
+/// Whether LEGWRIGHT_LONG_TESTS is set, as by `tools/test --long`: tests that take long and show
+/// more of what others show run as well, and those that take samples take all.
 inline bool long_tests() { return std::getenv("LEGWRIGHT_LONG_TESTS") != nullptr; }
 
 }  // namespace legwright::test

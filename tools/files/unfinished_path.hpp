@@ -18,7 +18,8 @@ class UnfinishedPath {
   UnfinishedPath& operator=(const UnfinishedPath&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Gives what is there its name, as rename(2) does: it stays whatever ends the process from then on.
+  /// Gives what is there its name, as rename(2) does: from then on it stays, whatever ends the
+  /// process.
   std::error_code rename_to(const std::filesystem::path& target);
 
  private:
