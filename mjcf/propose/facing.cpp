@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "mjcf/propose/eyes.hpp"
 #include "mjcf/propose/side_words.hpp"
 #include "mjcf/read/limbs.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -21,6 +23,7 @@ constexpr double kClearer = 2.0;       // times as clear as the other way to see
 constexpr double kRowsApart = 0.5;     // of the spread within a row: closer ones are none
 constexpr double kLeastSpread = 0.01;  // of all hips: rows are not straighter
 constexpr double kAhead = 0.1;         // of the spread of all hips: called rows are so far apart
+constexpr double kLonger = 1.5;        // times as far apart along one axis as along the other: told
 constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
 
 /// Where a limb hangs at the trunk or waist [m].
@@ -72,6 +75,34 @@ std::string remark(const Vector2d& ahead, const std::string& known) {
       known, facing_text(ahead));
 }
 
+/// Of legs that no name calls front or hind.
+Facing facing_without_names(const RobotModel& robot, const Eigen::Matrix2Xd& hips) {
+  Facing out;
+  const Rows along_x = rows_beside(hips, 1), along_y = rows_beside(hips, 0);
+  if (hips.cols() >= static_cast<Eigen::Index>(kRows) && along_y.clear > kRowsApart &&
+      along_y.clear > kClearer * along_x.clear) {
+    out.ahead = Vector2d::UnitY();
+    out.remark = remark(
+        out.ahead, fmt::format("its hips stand in two rows along y, {:.3g} m apart", along_y.gap));
+    return out;
+  }
+  if (const std::optional<Eye> eye = eye_of(robot); eye && eye->along != out.ahead) {
+    out.ahead = eye->along;
+    out.remark = remark(out.ahead, fmt::format("the camera{} of its trunk looks along {}",
+                                               eye->camera.empty() ? "" : " '" + eye->camera + "'",
+                                               facing_text(out.ahead)));
+    return out;
+  }
+  const Vector2d spread = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
+  if (hips.cols() == 4 && spread.y() > kLonger * spread.x())
+    out.remark = fmt::format(
+        "its hips are {:.3g} m apart along y and {:.3g} m along x, and no name tells front from "
+        "hind: +x of its trunk's frame is taken for ahead; if it faces y, say so by forward = "
+        "\"+y\" in [travel]",
+        spread.y(), spread.x());
+  return out;
+}
+
 }  // namespace
 
 Facing facing_of(const RobotModel& robot) {
@@ -101,13 +132,7 @@ Facing facing_of(const RobotModel& robot) {
                                                  more, facing_text(out.ahead)));
     return out;
   }
-  if (limbs.size() < kRows) return out;
-  const Rows along_x = rows_beside(hips, 1), along_y = rows_beside(hips, 0);
-  if (!(along_y.clear > kRowsApart && along_y.clear > kClearer * along_x.clear)) return out;
-  out.ahead = Vector2d::UnitY();
-  out.remark = remark(
-      out.ahead, fmt::format("its hips stand in two rows along y, {:.3g} m apart", along_y.gap));
-  return out;
+  return limbs.empty() ? out : facing_without_names(robot, hips);
 }
 
 }  // namespace legwright

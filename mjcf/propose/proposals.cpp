@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -13,6 +12,7 @@
 #include "mjcf/propose/offered_proposals.hpp"
 #include "mjcf/propose/remarks.hpp"
 #include "mjcf/propose/side_words.hpp"
+#include "mjcf/propose/unlike_sides.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/mirror.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -36,14 +36,12 @@ constexpr double kNarrowerGirdle = 0.75, kWiderGirdle = 1.5;
 // Of an axis, either way [rad]: a leg whose joints all turn about one direction needs much to leave
 // its plane, one that reaches to all sides as it is need not be twisted.
 constexpr double kTurn = 1.0, kTurnOfAble = 0.25;
-constexpr double kOneDirection = 0.966;     // cosine of 15 degrees
-constexpr double kShortestLink = 0.02;      // [m]: shorter ones are offsets, not legs
-constexpr double kSameLength = 1e-6;        // [m]: what differs by so much was rounded
-constexpr double kTiedInProportion = 0.05;  // of a link: so much left and right may differ
-constexpr double kAcross = 0.7;  // cosine: turns of an axis about a nearer direction do little
-constexpr double kMirroredAxes = 0.01;    // [rad]: what exporters round, and hands
-constexpr double kAlongAxis = 0.996;      // cosine of 5 degrees: a link along an axis of its body
-constexpr double kLargestBall = 0.5;      // radius of a foot over the length of its link
+constexpr double kOneDirection = 0.966;  // cosine of 15 degrees
+constexpr double kShortestLink = 0.02;   // [m]: shorter ones are offsets, not legs
+constexpr double kSameLength = 1e-6;     // [m]: what differs by so much was rounded
+constexpr double kAcross = 0.7;       // cosine: turns of an axis about a nearer direction do little
+constexpr double kAlongAxis = 0.996;  // cosine of 5 degrees: a link along an axis of its body
+constexpr double kLargestBall = 0.5;  // radius of a foot over the length of its link
 constexpr double kAttachmentShare = 0.3;  // of its distance from the hinge, either way
 constexpr double kShortestMove = 0.01;    // [m]
 
@@ -245,15 +243,9 @@ class ProposalBuilder {
     const int trunk = out_.model.structure.trunk,
               from = mj_name2id(compiled_.get(), mjOBJ_JOINT, joint.name.c_str()),
               to = mj_name2id(compiled_.get(), mjOBJ_JOINT, twin.name.c_str());
-    // The mirror image of a line; a joint may turn either way about it.
-    const Vector3d image = mirrored_turn(*compiled_, trunk, from, to, side(), joint.axis.at(s_)),
-                   axis = twin.axis.at(s_);
-    const double off = std::atan2(image.cross(axis).norm(), std::abs(image.dot(axis)));
-    if (off > kMirroredAxes)
-      return fmt::format(
-          "the axes of '{}' and '{}' are no mirror images, seen from the trunk in "
-          "the home pose: {:.3g} degrees off",
-          joint.name, twin.name, off * 180.0 / std::numbers::pi);
+    if (std::string why = unmirrored_axes(out_.model, *compiled_, joint, twin, side());
+        !why.empty())
+      return why;
     if (!at_mirrored_angles(*compiled_, trunk, from, to, side()))
       return fmt::format(
           "joints '{}' and '{}' stand at angles that are no mirror images in the "

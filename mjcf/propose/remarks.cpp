@@ -8,16 +8,19 @@
 #include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/propose/foot_pictures.hpp"
 #include "mjcf/propose/home_touches.hpp"
-#include "mjcf/propose/nearly_mirrored.hpp"
 #include "mjcf/propose/odd_joints.hpp"
+#include "mjcf/propose/unlike_sides.hpp"
 #include "mjcf/propose/unread_ranges.hpp"
 
 namespace legwright {
 
 std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<Limb>& limbs,
                                     const Facing& facing) {
-  std::vector<std::string> out = nearly_mirrored(robot, limbs, sides_across(facing.ahead));
+  const Across across = sides_across(facing.ahead);
+  std::vector<std::string> out = unlike_sides(robot, limbs, across);
   if (!facing.remark.empty()) out.insert(out.begin(), facing.remark);
+  if (std::string remark = tied_though_unlike(robot, limbs, across); !remark.empty())
+    out.push_back(std::move(remark));
   for (std::string& remark : doubtful_units(robot, limbs)) out.push_back(std::move(remark));
   for (std::string& remark : unread_ranges(robot)) out.push_back(std::move(remark));
   for (std::string& remark : odd_joints(robot)) out.push_back(std::move(remark));

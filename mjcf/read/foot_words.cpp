@@ -9,13 +9,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjcf/read/moving_parts.hpp"
+#include "mjcf/text/compile.hpp"
+#include "mjcf/text/model_arrays.hpp"
+
 namespace legwright {
 namespace {
 
 constexpr double kAskewTold = 0.5;  // [degrees]
 
+double degrees_off_level(const Eigen::Vector3d& normal) {
+  return std::acos(std::clamp(std::abs(normal.z()), 0.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
 /// By how many degrees a sole is off the level in the home pose of the initial design.
-double degrees_askew(const RobotModel& robot, const Foot& foot) {
+double sole_askew(const RobotModel& robot, const Foot& foot) {
   const Eigen::VectorXd s = robot.space.initial();
   Eigen::Vector3d normal = foot.sole->ahead.cross(foot.sole->beside);
   const auto& links = robot.morphology.links;
@@ -24,7 +32,22 @@ double degrees_askew(const RobotModel& robot, const Foot& foot) {
     normal =
         link.orientation * (Eigen::AngleAxisd(link.joint.nominal, link.joint.axis.at(s)) * normal);
   }
-  return std::acos(std::clamp(normal.z(), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+  return degrees_off_level(normal);
+}
+
+/// The same of the face of a box or cylinder that no hinge lays down; 0 of other parts.
+double face_askew(const RobotModel& robot, const FootContact& contact) {
+  Eigen::Index along = 0;
+  const bool has_faces = contact.geom_type == mjGEOM_BOX || contact.geom_type == mjGEOM_CYLINDER;
+  if (!has_faces || contact.geom < 0 || (contact.share.array() != 0.0).count() != 1) return 0.0;
+  contact.share.cwiseAbs().maxCoeff(&along);
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const DataPointer data = kinematics_at(*model, home_qpos(*model), robot.file);
+  return degrees_off_level(matrix_at(data->geom_xmat, contact.geom).col(along));
+}
+
+std::string drawn_askew(double degrees, const char* laid) {
+  return degrees < kAskewTold ? "" : fmt::format(", drawn {:.1f} degrees askew{}", degrees, laid);
 }
 
 std::string part_of_geom(const FootContact& contact) {
@@ -57,11 +80,8 @@ std::string touching_part(const RobotModel& robot, int index) {
                        balls > 1 ? fmt::format("middle of {} balls", balls) : "ball",
                        1e3 * foot.radius);
   }
-  if (!foot.sole) return part_of_geom(contact);
-  const double askew = degrees_askew(robot, foot);
-  return askew < kAskewTold
-             ? "middle of its sole"
-             : fmt::format("middle of its sole, drawn {:.1f} degrees askew and laid down", askew);
+  if (!foot.sole) return part_of_geom(contact) + drawn_askew(face_askew(robot, contact), "");
+  return "middle of its sole" + drawn_askew(sole_askew(robot, foot), " and laid down");
 }
 
 }  // namespace legwright

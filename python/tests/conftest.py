@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import functools
+import os
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,19 @@ if TYPE_CHECKING:
     from legwright import parts
 
 EXAMPLES = Path(__file__).resolve().parents[2] / 'examples'
+
+
+def pytest_configure(config) -> None:
+    config.addinivalue_line('markers', 'long: for `tools/test --long` alone')
+
+
+def pytest_collection_modifyitems(items) -> None:
+    """Passes over what is for a long run, unless LEGWRIGHT_LONG_TESTS is set."""
+    if 'LEGWRIGHT_LONG_TESTS' in os.environ:
+        return
+    for item in items:
+        if item.get_closest_marker('long'):
+            item.add_marker(pytest.mark.skip(reason='tools/test --long runs it'))
 
 
 @pytest.fixture(scope='session')

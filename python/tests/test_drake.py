@@ -176,6 +176,7 @@ def test_the_co_designed_puppy_walks(walk):
     assert walking.engine == 'drake' and walking.version.startswith('1.')
 
 
+@pytest.mark.long
 def test_the_command_tells_of_a_walk_and_of_a_fall(walk, tmp_path):
     """The given puppy falls in both engines; the exit codes are those of the verb."""
     walk.save(tmp_path / 'run')

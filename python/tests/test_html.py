@@ -69,6 +69,7 @@ def test_what_was_not_played_and_not_changed_is_told(puppy, sideways):
     assert 'The body is the given one.' in page.texts
 
 
+@pytest.mark.long
 def test_a_run_with_pictures_shows_the_first_and_the_last(puppy, sideways):
     quick = {'reasons': False, 'certificate': False, 'plan_only': True}
     design = lw.codesign(puppy, sideways, max_iterations=2, pictures=True, **quick)

@@ -36,6 +36,7 @@ def test_the_first_walk_runs_and_walks(run):
     assert names['share'] > 0.95
 
 
+@pytest.mark.long
 def test_two_tasks_have_a_front_between_their_ends(run):
     pytest.importorskip('matplotlib')
     names = run('two_tasks_and_the_front.ipynb')
@@ -46,6 +47,7 @@ def test_two_tasks_have_a_front_between_their_ends(run):
     assert all(share > 0.95 for share in names['shares'].values())
 
 
+@pytest.mark.long
 def test_an_own_robot_gets_its_parameters_and_walks(run):
     pytest.importorskip('matplotlib')
     names = run('own_robot.ipynb')
@@ -56,6 +58,7 @@ def test_an_own_robot_gets_its_parameters_and_walks(run):
     assert design.F / design.motion_only_F < 0.2
 
 
+@pytest.mark.long
 def test_an_objective_of_ones_own_lowers_what_it_measures(run):
     pytest.importorskip('matplotlib')
     names = run('own_objective.ipynb')

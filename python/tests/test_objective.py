@@ -100,6 +100,7 @@ def test_work_in_python_is_the_programs(puppy):
     assert motion.torques[0].tolist() == motion.torques[-1].tolist()
 
 
+@pytest.mark.long
 def test_it_is_lowered_besides_f_with_all_that_a_run_tells(puppy):
     threads = set()
 

@@ -124,7 +124,13 @@ def test_a_part_that_does_not_reach_a_module_fails_with_the_remedy(examples, tmp
     assert document['passed'] is False
 
 
-@pytest.mark.parametrize('name, count', [('quadruped', 13), ('hexapod', 19)])
+@pytest.mark.parametrize(
+    'name, count',
+    [
+        ('quadruped', 13),
+        pytest.param('hexapod', 19, marks=pytest.mark.long),
+    ],
+)
 def test_robots_that_are_meant_to_be_printed_pass_at_home(name, count, printed):
     made = printed(name)
     assert made.passed, [check for check in made.checks if not check.passed]

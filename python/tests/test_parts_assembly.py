@@ -84,6 +84,7 @@ def test_pictures_have_each_thing_once(made):
         assert boxes >= sum('servo ' in step[2] for step in steps)
 
 
+@pytest.mark.long
 def test_the_program_draws_each_picture_of_the_sheet(examples, tmp_path):
     robot = build(examples / 'assemblies/printed_puppy.toml', tmp_path / 'robot.xml')
     done = subprocess.run(

@@ -83,6 +83,7 @@ def test_stl_lies_as_the_sheet_says(made):
     assert float(re.search(r'h and (\d+) g', sheet)[1]) == pytest.approx(grams, abs=1.0)
 
 
+@pytest.mark.long
 def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):
     text = dog.read_text(encoding='utf-8')
     own = tmp_path / 'own.xml'
@@ -159,6 +160,7 @@ def gait(run: Path, knee: float) -> None:
     (run / 'result/playback_result.csv').write_text('\n'.join(rows) + '\n')
 
 
+@pytest.mark.long
 def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
     gait(run, -1.5)
     good = parts.make(run, tmp_path / 'good')
@@ -233,6 +235,7 @@ def test_a_servo_without_a_limit_does_not_pass(dog, tmp_path):
     assert len(failed) == 4 and 'has a forcerange' in failed[0].where
 
 
+@pytest.mark.long
 def test_of_a_run_for_several_tasks_all_gaits_count(run, tmp_path):
     gait(run, -1.5)
     for task in ('trot', 'sideways'):

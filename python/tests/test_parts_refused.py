@@ -55,6 +55,7 @@ def test_an_axis_beside_its_horn_fails(dog, tmp_path):
     assert failed.figure == pytest.approx(10.0, abs=1e-6), 'along the axis does not count'
 
 
+@pytest.mark.long
 def test_walls_between_holes_count_as_edges(dog, tmp_path):
     """16 screws M2 on a circle of 16 mm: 16 sin(pi / 16) - 2.4 = 0.72 mm between two holes."""
     turns = 2 * math.pi * np.arange(16) / 16

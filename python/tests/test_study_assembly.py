@@ -127,6 +127,7 @@ def test_a_module_file_that_is_wrong_is_told_by_its_own_name(tmp_path):
     assert f'{own}/x.toml:3: masss: unknown key' in said.splitlines()[0]
 
 
+@pytest.mark.long
 def test_the_lightest_that_passes_is_named(tmp_path):
     file = tmp_path / 'study.toml'
     file.write_text(

@@ -42,6 +42,7 @@ def address_in(file: Path) -> str:
     raise TimeoutError('no scheduler within a minute')
 
 
+@pytest.mark.long
 def test_a_cluster_of_processes_does_a_study_though_a_worker_dies(tmp_path):
     with ExitStack() as stack:
         file = tmp_path / 'scheduler.json'

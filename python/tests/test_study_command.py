@@ -63,6 +63,7 @@ def test_a_point_without_a_design_is_exit_code_one(tmp_path):
     assert '0 of 1 points have a design' in done.stdout and 'no_such_parameter' in done.stdout
 
 
+@pytest.mark.long
 def test_bad_input_is_two_and_leaves_nothing(tmp_path):
     written(tmp_path, grid={'gait': {'period': [-1.0, 0.4]}})
     done = call(tmp_path, 'heights.toml', '-o', 'out')
@@ -88,6 +89,7 @@ def test_folders_and_missing_packages_are_three(tmp_path):
     assert 'not here' in without.stderr and not (tmp_path / 'runs').exists()
 
 
+@pytest.mark.long
 def test_ctrl_c_keeps_what_is_done_and_the_same_command_goes_on(tmp_path):
     file = written(tmp_path, grid=heights(24))
     words = [sys.executable, '-m', 'legwright.study', str(file), '-o', 'out', '--workers', '2']

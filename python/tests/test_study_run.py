@@ -130,6 +130,7 @@ def test_a_study_goes_on_and_nothing_runs_twice(client, tmp_path):
     assert len(forced) == 2 and finished_at(tmp_path) != after
 
 
+@pytest.mark.long
 def test_kill_9_of_workers_loses_the_points_they_were_at_alone(tmp_path):
     log, kills = tmp_path / 'starts', 2
     log.touch()
@@ -171,6 +172,7 @@ def test_kill_9_of_workers_loses_the_points_they_were_at_alone(tmp_path):
     assert said or len(starts) == len(found.points)
 
 
+@pytest.mark.long
 def test_a_point_that_kills_its_workers_is_told_and_the_others_are_done(tmp_path):
     robots = FolderRobots(StudyFolder.make(tmp_path / 'first'))
     deadly = points_of(read_study(tiny()), robots)[0].hash
@@ -265,6 +267,7 @@ def test_the_program_of_a_worker_dies_with_it(walk, tmp_path):
     assert not runs_on
 
 
+@pytest.mark.long
 def test_validation_by_limits_and_pictures_are_kept(client, tmp_path):
     limits = tmp_path / 'limits.toml'
     limits.write_text('[tilt]\nhigh = 1e-6\n', encoding='utf-8')

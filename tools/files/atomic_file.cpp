@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
@@ -173,7 +174,10 @@ void write_file(const fs::path& asked, std::string_view bytes, Durability durabi
     sync_folder(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
-std::string read_file(const fs::path& path, std::size_t most) {
+namespace {
+
+/// The bytes of a regular file, or its first `most`.
+std::string read_regular(const fs::path& path, std::size_t most) {
   Descriptor file(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);  // a pipe without a writer would hang
   struct stat kind {};
   if (!file.is_open() || ::fstat(file.number(), &kind) != 0) fail("cannot read", path);
@@ -183,16 +187,27 @@ std::string read_file(const fs::path& path, std::size_t most) {
                   "holds into one");
   std::string bytes;
   char buffer[1 << 16];
-  for (;;) {
-    const ssize_t got = ::read(file.number(), buffer, sizeof buffer);
+  while (bytes.size() < most) {
+    const std::size_t wanted = std::min(sizeof buffer, most - bytes.size());
+    const ssize_t got = ::read(file.number(), buffer, wanted);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail("cannot read", path);
-    if (got == 0) return bytes;
+    if (got == 0) break;
     bytes.append(buffer, static_cast<std::size_t>(got));
-    if (bytes.size() > most)
-      throw IoError(path.string() + ": larger than " + std::to_string(most) + " bytes");
   }
+  return bytes;
 }
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::size_t most) {
+  std::string bytes = read_regular(path, most + 1);
+  if (bytes.size() > most)
+    throw IoError(path.string() + ": larger than " + std::to_string(most) + " bytes");
+  return bytes;
+}
+
+std::string read_head(const fs::path& path, std::size_t count) { return read_regular(path, count); }
 
 void sync_folder(const std::filesystem::path& folder) {
   Descriptor file(folder, O_RDONLY | O_DIRECTORY);

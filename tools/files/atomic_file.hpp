@@ -25,6 +25,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes,
 /// and for pipes, sockets and devices, which might never end.
 std::string read_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
 
+/// The first bytes of a regular file, at most `count`. Throws as read_file().
+std::string read_head(const std::filesystem::path& path, std::size_t count);
+
 /// Flushes a folder's entries to the disk. Throws std::system_error.
 void sync_folder(const std::filesystem::path& folder);
 

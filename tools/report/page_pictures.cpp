@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <span>
 
 #include "tools/files/atomic_file.hpp"
@@ -22,14 +21,6 @@ bool PictureBudget::take(const fs::path& file, std::uintmax_t most) {
   }
   left_ -= size;
   return true;
-}
-
-std::string read_head(const fs::path& file, std::size_t count) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(count, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(count));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return bytes;
 }
 
 namespace {

@@ -23,9 +23,6 @@ class PictureBudget {
   bool refused_ = false;
 };
 
-/// The first bytes of a file; fewer where it is shorter, none where it cannot be read.
-std::string read_head(const std::filesystem::path& file, std::size_t count);
-
 /// A moving picture in a loop, and a still of it for those who want nothing to move, and for paper.
 /// @param still may be missing
 void add_moving(Html& page, const std::filesystem::path& webp, const std::filesystem::path& still,

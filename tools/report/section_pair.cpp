@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/report/number_words.hpp"
 #include "tools/report/pair_report.hpp"

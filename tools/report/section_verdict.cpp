@@ -45,6 +45,7 @@ constexpr std::uintmax_t kMostMoving = 1'500'000, kMostStill = 200'000;  // byte
 /// The gait in motion, after the last design.
 void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
   const fs::path gait = data.root / "result" / "gait.webp";
+  if (!fs::exists(gait)) return;
   const std::string head = read_head(gait, 12);
   if (head.size() < 12 || head.substr(0, 4) != "RIFF" || head.substr(8) != "WEBP") return;
   if (!budget.take(gait, kMostMoving)) {

@@ -10,6 +10,7 @@
 #include "mjcf/propose/home_touches.hpp"
 #include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
+#include "mjcf/propose/unlike_sides.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/initial_guess.hpp"
@@ -248,6 +249,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
     warnings.push_back(axes->why + "; plans and verdicts take z for up: `legwright init " +
                        robot.file.filename().string() + " --write` turns the frame");
   for (std::string& odd : odd_joints(robot)) warnings.push_back(std::move(odd));
+  for (std::string& unlike : unlike_sides(robot)) warnings.push_back(std::move(unlike));
   if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));

@@ -17,7 +17,7 @@ struct Hip {
 };
 
 /// Legs of two joints below hips.
-Facing facing(const std::vector<Hip>& hips) {
+Facing facing(const std::vector<Hip>& hips, const std::string& in_trunk = "") {
   std::string legs, servos;
   for (const Hip& hip : hips) {
     legs += fmt::format(
@@ -34,7 +34,7 @@ Facing facing(const std::vector<Hip>& hips) {
   const RobotModel robot = parse_robot(
       R"(<mujoco><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 .21"><freejoint/>
       <inertial pos="0 0 0" mass="2" diaginertia=".01 .01 .01"/>)" +
-          legs + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>",
+          legs + in_trunk + "</body></worldbody><actuator>" + servos + "</actuator></mujoco>",
       "robot.xml");
   return facing_of(robot);
 }
@@ -101,7 +101,28 @@ TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
             "");
   std::vector<Hip> four = turned(kDog);  // a wide robot, for all that is known
   for (std::size_t k = 0; k < four.size(); ++k) four[k].name = fmt::format("leg{}", k);
-  EXPECT_EQ(facing(four).remark, "");
+  const Facing wide = facing(four);
+  EXPECT_EQ(wide.ahead, Vector2d(1, 0));
+  EXPECT_NE(wide.remark.find("0.4 m apart along y and 0.2 m along x"), std::string::npos)
+      << wide.remark;
+  EXPECT_NE(wide.remark.find("forward = \"+y\""), std::string::npos) << wide.remark;
+}
+
+TEST(Facing, FollowsAnEyeWhereNoNameAndNoRowTells) {
+  std::vector<Hip> square{{"a", .1, .1}, {"b", .1, -.1}, {"c", -.1, .1}, {"d", -.1, -.1}};
+  EXPECT_EQ(facing(square).remark, "");
+  // Looks along −z of its own: along +y of the trunk, out of its side.
+  const std::string eye = R"(<camera name="eye" pos="0 .1 0" xyaxes="1 0 0 0 0 1"/>)",
+                    watcher = R"(<camera name="side" pos="0 -1 0" xyaxes="1 0 0 0 0 1"/>)",
+                    other = R"(<camera name="nose" pos=".1 0 0" xyaxes="0 -1 0 0 0 1"/>)";
+  const Facing found = facing(square, eye);
+  EXPECT_EQ(found.ahead, Vector2d(0, 1));
+  EXPECT_NE(found.remark.find("camera 'eye' of its trunk looks along +y"), std::string::npos)
+      << found.remark;
+  EXPECT_EQ(facing(square, watcher).remark, "") << "looks at the robot from outside";
+  EXPECT_EQ(facing(square, eye + other).remark, "") << "two ways";
+  EXPECT_EQ(facing(square, other).ahead, Vector2d(1, 0));
+  EXPECT_EQ(facing(kDog, eye).ahead, Vector2d(1, 0)) << "names tell";
 }
 
 /// Hips in one place, but for what hands leave: their names say nothing of where it looks.

@@ -161,7 +161,7 @@ TEST(TouchingPart, SaysWithWhatAFootTouches) {
   EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04"/>)"),
             "middle of its sole");
   EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0 0.2 0"/>)"),
-            "face of a box");
+            "face of a box, drawn 11.5 degrees askew");
   EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0 0.5 0"/>)"),
             "edge of a box");
   EXPECT_EQ(part(R"(<geom type="box" size="0.07 0.05 0.01" pos="0 0 -0.04" euler="0.5 0.5 0"/>)"),

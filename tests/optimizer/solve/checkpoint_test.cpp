@@ -12,6 +12,7 @@
 #include "optimizer/solve/multistart.hpp"
 #include "optimizer/solve/put_back.hpp"
 #include "tests/optimizer/solve/toy_cost.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/support/puppy.hpp"
 
 namespace legwright {
@@ -272,6 +273,7 @@ TEST_F(KillsOfARobot, LeaveStepsOfBodyAndMotionAsTheyWere) {
 }
 
 TEST_F(KillsOfARobot, LeaveItsReasonsAsTheyWere) {
+  LEGWRIGHT_LONG_TEST();
   expect_same_after_kills(2, 2, [&](const Checkpoint& checkpoint) {
     WeightedCost task;
     task.cost = &cost;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Physics has the say: the result is the best design that MuJoCo passes.
 #include "tools/choose/choose_design.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,7 @@ TEST_F(ChooseDesignInstead, HandsBackTheLeastFThatPasses) {
 }
 
 TEST_F(ChooseDesignInstead, DoesNotDependOnThreads) {
+  LEGWRIGHT_LONG_TEST();
   const ChosenDesign one = searched().choose(1);
   const ChosenDesign& two = choice();
   EXPECT_EQ(one.record.chosen, two.record.chosen);
@@ -186,6 +188,7 @@ TEST(ChooseDesign, TightensTheMotionOfTheGivenBodyAsWell) {
 /// cycle when something disturbs it, and one that costs 0.4 % more does not; on others the cheapest
 /// is stable itself, with the baseline's bits, too.
 TEST(ChooseDesign, AStableCycleIsChosenOfThoseWithAlmostTheSameF) {
+  LEGWRIGHT_LONG_TEST();
   const test::Variable path("LEGWRIGHT_CPU_PATH", "baseline");
   const SearchedProblem searched(test::problem_of(
       "hexapod", "[gait]\nname = \"tripod\"\nperiod = 0.6\n[travel]\nvelocity = [0.6, 0.0]\n"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Candidates played no further than needed, against the same played to the end each.
 #include "tools/choose/play_in_turn.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/support/paths.hpp"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@ class PlayInTurn : public testing::Test {
 };
 
 TEST_F(PlayInTurn, TheNearestAreThoseOfWholePlaysToTheBit) {
+  LEGWRIGHT_LONG_TEST();
   const std::vector<PlayedCandidate>& whole = to_the_end();
   std::vector<double> sorted;
   for (const PlayedCandidate& each : whole) {

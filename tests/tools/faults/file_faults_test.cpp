@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program killed at its n-th call to the file system, or told there that the disk is broken or
 // full: what it writes is as before or new and whole, errors are told, and the same command then
-// works and leaves nothing but its results. For every n with LEGWRIGHT_ALL_FAULTS=1 (some minutes),
+// works and leaves nothing but its results. For every n with LEGWRIGHT_LONG_TESTS=1 (some minutes),
 // else for some of them.
 #include <algorithm>
 #include <cstdlib>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/faults/fault_case.hpp"
 
 namespace legwright::test {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Calls that are tried, for each way to fail; fewer where a picture is drawn, which takes long.
-long tried(const std::string& name) { return name == "export" ? 2 : 8; }
+long tried(const std::string& name) { return name == "export" ? 2 : 5; }
 
 class FileFaults : public FaultFolder {
  protected:
@@ -39,8 +40,7 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
   const Tree fresh = tree(undisturbed);
   ASSERT_GT(calls, 2);
   ASSERT_NE(fresh, old_) << "else nothing is tested";
-  const long step =
-      std::getenv("LEGWRIGHT_ALL_FAULTS") ? 1 : std::max(1L, calls / tried(GetParam().name));
+  const long step = test::long_tests() ? 1 : std::max(1L, calls / tried(GetParam().name));
   for (const char* how : {"kill", "EIO", "ENOSPC"})
     for (long at = 1 + (how[0] + how[1]) % step; at <= calls; at += step) {
       SCOPED_TRACE(std::string(how) + " at call " + std::to_string(at) + " of " +

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/faults/fault_case.hpp"
 #include "tools/files/exit_code.hpp"
 
@@ -16,12 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr long kFirst = 8;   // tried one by one
-constexpr long kTried = 10;  // of the others, for each way to fail
+constexpr long kFirst = 8;  // tried one by one
+// Of the others, for each way to fail.
+constexpr long kTried = 4, kTriedInLongTests = 40;
 
 long tries() {
   const char* const asked = std::getenv("LEGWRIGHT_FAULT_TRIES");
-  return asked == nullptr ? kTried : std::max(1L, std::atol(asked));
+  if (asked == nullptr) return test::long_tests() ? kTriedInLongTests : kTried;
+  return std::max(1L, std::atol(asked));
 }
 
 std::vector<long> numbers(long calls, long offset) {

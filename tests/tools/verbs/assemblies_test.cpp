@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -56,6 +57,7 @@ std::string lines_of(const std::string& text, const std::string& word, bool with
 /// All its joints are about the lateral axis, so it cannot go sideways with the body as drawn: axes
 /// turn, and the servos with them.
 TEST(Assemblies, APuppyOfLateralAxesTurnsItsServosToGoSideways) {
+  LEGWRIGHT_LONG_TEST();
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "puppy.xml", task = folder.path() / "sideways.toml",
                  run = folder.path() / "run";
@@ -81,6 +83,7 @@ TEST(Assemblies, APuppyOfLateralAxesTurnsItsServosToGoSideways) {
 /// The puppy above passes though its motors have less left the faster they run; a plan that does
 /// not know so fails with the same motors.
 TEST(Assemblies, APlanThatDoesNotKnowItsMotorsFailsWithThem) {
+  LEGWRIGHT_LONG_TEST();
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "puppy.xml", task = folder.path() / "trot.toml",
                  run = folder.path() / "run";
@@ -107,6 +110,7 @@ TEST(Assemblies, APlanThatDoesNotKnowItsMotorsFailsWithThem) {
 
 /// As a user goes on who has no --task yet.
 TEST(Assemblies, AHexapodGetsItsTaskFromInitAndPasses) {
+  LEGWRIGHT_LONG_TEST();
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "hexapod.xml", task = folder.path() / "tripod.toml",
                  run = folder.path() / "run";

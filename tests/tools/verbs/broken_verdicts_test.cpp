@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -58,6 +59,7 @@ TEST_F(BrokenVerdict, FailsForTheReasonInItsName) {
 }
 
 TEST_F(BrokenVerdict, IsToldInEveryForm) {
+  LEGWRIGHT_LONG_TEST();
   plan("turns_too_little.toml");
   // It turns at two thirds of what is wanted: no pass, but enough to have margins.
   write_file(folder_.path() / "limits.toml",

@@ -6,6 +6,7 @@
 #include <map>
 #include <thread>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/judged_example.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tests/tools/verbs/run_schemas.hpp"
@@ -83,6 +84,7 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
 }
 
 TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {
+  LEGWRIGHT_LONG_TEST();
   const pid_t child =
       test::start({"optimize", kBoth, "--no-pictures", "-o", "run"}, folder_.path());
   const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(200);
@@ -133,6 +135,7 @@ TEST_F(Joint, FrontNeedsTwoTasksSolvedAlone) {
 }
 
 TEST_F(Joint, FrontHasNoPointAboveABetterOne) {
+  LEGWRIGHT_LONG_TEST();
   const Outcome optimize =
       call({"optimize", kBoth, "--plan-only", "--max-iterations", "3", "--front", "2",
             "--no-pictures", "--no-certificate", "--no-reasons", "-o", "run"});

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -32,6 +33,7 @@ void build(const fs::path& robot, const fs::path& task, const std::string& speed
 }
 
 TEST(LinearAssemblies, AQuadrupedOfPistonsWalksAndPasses) {
+  LEGWRIGHT_LONG_TEST();
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "robot.xml", task = folder.path() / "trot.toml",
                  run = folder.path() / "run";

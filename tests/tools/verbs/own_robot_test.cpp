@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tools/verbs/judged_example.hpp"
 #include "tests/tools/verbs/program.hpp"
@@ -107,6 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, OwnRobot,
 class OctopodGait : public testing::TestWithParam<const char*> {};
 
 TEST_P(OctopodGait, WalksOnEightFeet) {
+  LEGWRIGHT_LONG_TEST();
   const test::TemporaryFolder folder;
   expect_first_task_passes(copy_of("octopod", folder.path()), GetParam());
 }
@@ -116,6 +118,9 @@ INSTANTIATE_TEST_SUITE_P(Library, OctopodGait, testing::Values("ripple", "wave")
 class Star : public testing::TestWithParam<int> {};
 
 TEST_P(Star, WalksOnAnOddNumberOfFeetByAWave) {
+  if (GetParam() > 5) {
+    LEGWRIGHT_LONG_TEST();
+  }
   const test::TemporaryFolder folder;
   const fs::path robot = folder.path() / "star.xml";
   write_file(robot, star(GetParam()));
@@ -233,6 +238,7 @@ void expect_clear_of_trunk(bool clear) {
 TEST(OwnRobotBesideItsTrunk, KeepsItsThighsClearOfIt) { expect_clear_of_trunk(true); }
 
 TEST(OwnRobotBesideItsTrunk, DrivesItsThighsIntoItWithoutLimbClearance) {
+  LEGWRIGHT_LONG_TEST();
   expect_clear_of_trunk(false);
 }
 

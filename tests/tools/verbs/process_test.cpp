@@ -96,6 +96,14 @@ TEST_F(Process, PipesDevicesAndEndlessNestingAreRefusedAtOnce) {
   EXPECT_TRUE(test::contains(nested.err, "is damaged")) << nested.err;
 }
 
+TEST_F(Process, APipeInThePlaceOfAPictureIsRefusedByTheReport) {
+  ASSERT_LE(shell("\"$LEGWRIGHT\" optimize \"$TASK\" $FAST -o run > out 2> err"), 1);
+  ASSERT_EQ(::mkfifo((folder_.path() / "run/result/gait.webp").c_str(), 0600), 0);
+  const test::Outcome outcome = call({"report", "run"});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_TRUE(test::contains(outcome.err, "expected a regular file")) << outcome.err;
+}
+
 // The second writer of a run is told who the first one is; a killed one is in nobody's way.
 TEST_F(Process, ARunHasOneWriterAtATime) {
   const std::string task = (test::kExamples / "puppy/sideways.toml").string();

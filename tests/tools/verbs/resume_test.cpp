@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/run/checkpoint_file.hpp"
 #include "tools/run/events.hpp"
@@ -116,16 +117,16 @@ class Resume : public testing::Test, protected test::CallsInFolder {
 
 TEST_F(Resume, AfterManyKillsAndStopsEveryFileIsThatOfAWholeRun) {
   ASSERT_LE(call({"optimize", task("sideways.toml"), "--no-pictures", "-o", "whole"}).code, 1);
-  const int kills = std::getenv("LEGWRIGHT_ALL_FAULTS") != nullptr ? 30 : 6;
+  const int kills = test::long_tests() ? 30 : 4, stops = test::long_tests() ? 8 : 4;
   const std::vector<std::string> resume{"optimize", "--resume", run().string()};
   ASSERT_EQ(signalled(SIGKILL, begin("sideways.toml")), -SIGKILL);
   for (int k = 1; k < kills; ++k) {
     const int signal = k % 3 == 0 ? SIGTERM : SIGKILL;
     ASSERT_EQ(signalled(signal, resume), signal == SIGTERM ? 75 : -SIGKILL) << err();
   }
-  for (int k = 1; k <= 8; ++k) {  // while it catches up with itself
+  for (int k = 1; k <= stops; ++k) {  // while it catches up with itself
     const pid_t child = test::start(resume, elsewhere_.path());
-    ::usleep(40'000 * k);
+    ::usleep(40'000 * k * 8 / stops);
     ::kill(child, SIGTERM);
     const Outcome stopped = test::wait_for(child, elsewhere_.path());
     ASSERT_TRUE(stopped.code == 75 || stopped.code == -SIGTERM) << stopped.code << stopped.err;
@@ -255,6 +256,7 @@ TEST_F(Resume, StepsOnTheGaitTakeUpWhatWasPlayed) {
 }
 
 TEST_F(Resume, StepsOnTheGaitEndInTheSameBytes) {
+  LEGWRIGHT_LONG_TEST();
   std::vector<std::string> whole = begin_stepping(folder_.path() / "whole");
   whole.insert(whole.end(), {"--threads", "3"});  // at any number of them
   ASSERT_EQ(call(whole).code, 0);

@@ -8,6 +8,7 @@
 #include "mjcf/text/compile.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/robots/split_robot.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/checksum.hpp"
@@ -125,6 +126,7 @@ TEST_F(RobotFilesRun, EveryFolderHoldsTheWholeRobotAndOpens) {
 }
 
 TEST_F(RobotFilesRun, PhysicsStepsFindTheMeshes) {
+  LEGWRIGHT_LONG_TEST();
   const Outcome outcome =
       call({"optimize", "home/sideways.toml", "--plan-only", "--max-iterations", "1",
             "--no-reasons", "--no-pictures", "--physics-steps", "1", "-o", "run"});

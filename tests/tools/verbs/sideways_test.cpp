@@ -3,6 +3,7 @@
 // the co-designed one does, at half, default and double gains.
 #include <gtest/gtest.h>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/files/json_file.hpp"
 
@@ -48,6 +49,9 @@ TEST_P(Sideways, CoDesignedPuppyDoesWhatTheInitialOneDoesNot) {
 }
 
 TEST_P(Sideways, ReportAndPicturesCome) {
+  if (std::string(GetParam()) == "sideways.toml") {
+    LEGWRIGHT_LONG_TEST();
+  }
   const std::string task = (test::kExamples / "puppy" / GetParam()).string();
   const test::Outcome optimize = call({"optimize", task, "--no-pictures", "--no-reasons",
                                        "--plan-only", "--max-iterations", "1", "-o", "run"});

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The studio as its user has it: Chromium before `legwright studio`. tools/page --test runs it."""
+"""The studio as its user has it: Chromium before `legwright studio`. tools/page --test runs it:
+all, or the classes and tests that are named; CTest leaves out LONG unless LEGWRIGHT_LONG_TESTS is
+set."""
 
 import base64
 import hashlib
@@ -21,6 +23,7 @@ from touch_and_crash import Apart  # noqa: F401
 from whole_way import Whole  # noqa: F401
 
 SKIPPED = 77
+LONG = ('Apart', 'Assembling', 'OtherDesigns', 'Tablet')  # for `tools/test --long`
 
 
 class Studio(unittest.TestCase):
@@ -384,6 +387,11 @@ def main():
     if not chromium():
         print('browser_test: SKIPPED: no chromium on this machine', file=sys.stderr)
         return 1 if os.environ.get('CI') == 'true' else SKIPPED
+    if '--each-change' in sys.argv:
+        sys.argv.remove('--each-change')
+        if 'LEGWRIGHT_LONG_TESTS' not in os.environ:
+            for name in LONG:
+                del globals()[name]
     unittest.main()
     return 0
 
