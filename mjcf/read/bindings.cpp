@@ -62,6 +62,15 @@ Pairs collect_pairs(const XmlFile& xml) {
   return pairs;
 }
 
+InputError without_numeric(const XmlFile& xml, const XmlElement& text) {
+  return xml.error(text,
+                   "has no <numeric> of the same name; add one with data=\"value lower upper\"");
+}
+
+InputError without_text(const XmlFile& xml, const XmlElement& numeric) {
+  return xml.error(numeric, fmt::format("has no <text> of the same name; {}", kShape));
+}
+
 void read_values(const XmlFile& xml, const XmlElement& numeric, DesignParameter& parameter) {
   const std::string_view data = attribute(numeric, "data");
   const auto values = parse_numbers(data);
@@ -175,6 +184,20 @@ DeclaredBinding read_text(const XmlFile& xml, const XmlElement& text, DesignPara
   return out;
 }
 
+/// The kind of element that a parameter's binding names.
+const char* bound_kind(const DesignParameter& parameter) {
+  return parameter.kind == ParameterKind::length       ? "body"
+         : parameter.kind == ParameterKind::axis_angle ? "joint"
+                                                       : "site";
+}
+
+InputError not_in_the_model(const XmlFile& xml, const XmlElement& text, const char* kind,
+                            const std::string& name) {
+  return xml.error(
+      text,
+      fmt::format("names the {} '{}', which is not in the model; correct the name", kind, name));
+}
+
 Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
                                 const DeclarationElements& at, const DeclaredBinding& declared,
                                 const DesignParameter& parameter, const TargetWord& word,
@@ -188,10 +211,7 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
         *at.text, fmt::format("'{}': a length stays positive; write a positive factor", word.text));
   const int body = mj_name2id(&model, mjOBJ_BODY, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "body", word.name);
-  if (body <= 0 || !element)
-    throw xml.error(
-        *at.text,
-        fmt::format("names the body '{}', which is not in the model; correct the name", word.name));
+  if (body <= 0 || !element) throw not_in_the_model(xml, *at.text, "body", word.name);
   const StretchMeasure measure =
       measure_stretch(xml, model, *at.text, body, declared.direction, structure);
   if (std::abs(measure.length - word.factor * parameter.initial) >
@@ -231,10 +251,7 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
                              const TargetWord& word, const Structure& structure) {
   const int joint = mj_name2id(&model, mjOBJ_JOINT, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "joint", word.name);
-  if (joint < 0 || !element)
-    throw xml.error(*at.text,
-                    fmt::format("names the joint '{}', which is not in the model; correct the name",
-                                word.name));
+  if (joint < 0 || !element) throw not_in_the_model(xml, *at.text, "joint", word.name);
   if (model.jnt_type[joint] != mjJNT_HINGE)
     throw xml.error(
         *at.text, fmt::format("joint '{}' is no hinge, so its axis cannot be turned; name a hinge",
@@ -261,10 +278,7 @@ Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
                               const DesignParameter& parameter, const TargetWord& word) {
   const int site = mj_name2id(&model, mjOBJ_SITE, word.name.c_str());
   const XmlElement* element = find_named(xml.root(), "site", word.name);
-  if (site < 0 || !element)
-    throw xml.error(
-        *at.text,
-        fmt::format("names the site '{}', which is not in the model; correct the name", word.name));
+  if (site < 0 || !element) throw not_in_the_model(xml, *at.text, "site", word.name);
   if (!is_tag(*element->Parent()->ToElement(), "body") || !has_attribute(*element, "pos") ||
       inherited_attribute(xml, *element, "fromto"))
     throw xml.error(*element,
@@ -312,8 +326,7 @@ Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationEleme
 
 void add_declared(const XmlFile& xml, const mjModel& model, const std::string& name,
                   const DeclarationElements& at, const Structure& structure, Declarations& out) {
-  if (!at.text)
-    throw xml.error(*at.numeric, fmt::format("has no <text> of the same name; {}", kShape));
+  if (!at.text) throw without_text(xml, *at.numeric);
   DesignParameter parameter;
   parameter.name = name;
   read_values(xml, *at.numeric, parameter);
@@ -326,13 +339,33 @@ void add_declared(const XmlFile& xml, const mjModel& model, const std::string& n
 
 }  // namespace
 
+void check_declarations(const XmlFile& xml, Refusals& reasons) {
+  Pairs pairs;
+  try {
+    pairs = collect_pairs(xml);
+  } catch (const InputError& fault) {
+    reasons.add(fault);
+    return;
+  }
+  for (const auto& [name, both] : pairs.elements) try {
+      if (!both.numeric) throw without_numeric(xml, *both.text);
+      if (!both.text) throw without_text(xml, *both.numeric);
+      DesignParameter parameter;
+      read_values(xml, *both.numeric, parameter);
+      for (const TargetWord& word : read_text(xml, *both.text, parameter).targets)
+        if (const char* const kind = bound_kind(parameter);
+            !find_named(xml.root(), kind, word.name))
+          throw not_in_the_model(xml, *both.text, kind, word.name);
+    } catch (const InputError& fault) {
+      reasons.add(fault);
+    }
+}
+
 Declarations read_declarations(const XmlFile& xml, const mjModel& model,
                                const Structure& structure) {
   const Pairs pairs = collect_pairs(xml);
   for (const auto& [name, both] : pairs.elements)
-    if (!both.numeric)
-      throw xml.error(*both.text,
-                      "has no <numeric> of the same name; add one with data=\"value lower upper\"");
+    if (!both.numeric) throw without_numeric(xml, *both.text);
   if (pairs.order.size() > 500)
     throw InputError(xml.file.string(), 0, "custom", "more than 500 design parameters");
   Declarations out;

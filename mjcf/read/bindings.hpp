@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "mjcf/read/robot_model.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -25,6 +26,10 @@ struct Declarations {
 /// does not fit.
 Declarations read_declarations(const XmlFile& xml, const mjModel& model,
                                const Structure& structure);
+
+/// What of read_declarations() the text alone tells: form, values and bounds, names that no element
+/// has. Told together with other faults of the file, before a model is there. Throws nothing.
+void check_declarations(const XmlFile& xml, Refusals& reasons);
 
 /// Elements of a declared parameter; both null if it is not declared.
 struct DeclarationElements {

@@ -64,13 +64,15 @@ void check_magnitude(const XmlFile& xml, const XmlElement& element, std::string_
                                            name, value, bound));
 }
 
+bool holds_numbers(const XmlElement& element, std::string_view attribute) {
+  if (is_tag(element, "config") || is_tag(element, "text") || is_tag(element, "flag")) return false;
+  return is_listed(kNumbers, attribute) || is_listed(kNumberElements, element.Name()) ||
+         (is_tag(element, "numeric") && attribute == "data");
+}
+
 void check_numbers(const XmlFile& xml, const XmlElement& element) {
-  if (is_tag(element, "config") || is_tag(element, "text") || is_tag(element, "flag")) return;
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    const bool is_number = is_listed(kNumbers, a->Name()) ||
-                           is_listed(kNumberElements, element.Name()) ||
-                           (is_tag(element, "numeric") && a->Name() == std::string_view("data"));
-    if (!is_number) continue;
+    if (!holds_numbers(element, a->Name())) continue;
     const auto values = parse_numbers(a->Value());
     if (values && values->empty())  // MuJoCo takes it for absent, or for another class's
       throw xml.error(
@@ -194,6 +196,19 @@ void check_element(const XmlFile& xml, const XmlElement& element) {
 }
 
 }  // namespace
+
+std::string with_decimal_points(const XmlFile& xml) {
+  std::string out = xml.text;
+  for_each_element(xml.root(), [&](const XmlElement& element) {
+    for (const AttributeSpan& span : xml.tag(element).attributes) {
+      std::string value = xml.text.substr(span.value_begin, span.value_end - span.value_begin);
+      if (!holds_numbers(element, span.name) || parse_numbers(value)) continue;
+      std::replace(value.begin(), value.end(), ',', '.');
+      if (parse_numbers(value)) out.replace(span.value_begin, value.size(), value);
+    }
+  });
+  return out;
+}
 
 void check_values(const XmlFile& xml) {
   for_each_element(xml.root(), [&](const XmlElement& element) {

@@ -3,6 +3,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <string>
+
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
@@ -14,6 +16,10 @@ namespace legwright {
 /// @param reasons names that a scene needs for itself are added here instead: they need not hide
 ///        what else stands against the robot
 void check_text(const XmlFile& xml, Refusals& reasons);
+
+/// The text with points for commas in attributes that hold numbers, where nothing else keeps these
+/// from being read; each byte else stays where it is.
+std::string with_decimal_points(const XmlFile& xml);
 
 /// The part of check_text() that holds for any model: numbers that MuJoCo would misread, sizes that
 /// fill the memory, control characters. Throws InputError.

@@ -36,6 +36,11 @@ void check_home(const XmlFile& xml, const mjModel& model, const Morphology& morp
   }
 }
 
+void add_all(const InputError& fault, Refusals& reasons) {
+  if (fault.reasons().empty()) reasons.add(fault);
+  for (const InputError& reason : fault.reasons()) reasons.add(reason);
+}
+
 /// Does some work; what it refuses is reported together with reasons that are known already.
 template <class Work>
 auto together_with(Refusals& reasons, const Work& work) {
@@ -45,25 +50,56 @@ auto together_with(Refusals& reasons, const Work& work) {
     return out;
   } catch (const InputError& error) {
     if (reasons.empty()) throw;
-    if (error.reasons().empty()) reasons.add(error);
-    for (const InputError& reason : error.reasons()) reasons.add(reason);
+    add_all(error, reasons);
   }
   reasons.throw_if_any();
   throw std::logic_error("a refusal without a reason");
+}
+
+/// What else stands against a robot in whose text there are faults already, as far as these leave
+/// it to be read: decimal commas are taken for points.
+void add_structure_faults(const XmlFile& xml, const Structure* known, Refusals& reasons) {
+  try {
+    const auto mended = load_xml(with_decimal_points(xml), xml.file);
+    Refusals names;  // of the scene: told already
+    check_text(*mended, names);
+    const ModelPointer model = compile_mjcf(mended->text, xml.file);
+    const Structure structure = read_structure(*mended, *model, known);
+    (void)read_tendons(*mended, *model, structure);
+    (void)read_declarations(*mended, *model, structure);
+  } catch (const InputError& fault) {
+    add_all(fault, reasons);
+  }
+}
+
+/// All that the text tells, in one list.
+void check_whole_text(const XmlFile& xml, const Structure* known, Refusals& reasons) {
+  try {
+    check_text(xml, reasons);
+    check_declarations(xml, reasons);
+  } catch (const InputError& fault) {
+    add_all(fault, reasons);
+    check_declarations(xml, reasons);
+    add_structure_faults(xml, known, reasons);
+    reasons.throw_if_any();
+  }
 }
 
 RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,
                       const Structure* known) {
   const auto xml = load_xml(xml_text, file);
   Refusals reasons;
-  check_text(*xml, reasons);
+  check_whole_text(*xml, known, reasons);
   ModelPointer model;
+  std::vector<TendonSpan> tendons;
+  Declarations declared;
   Structure structure = together_with(reasons, [&] {
     model = compile_mjcf(xml->text, file);
-    return read_structure(*xml, *model, known);
+    Structure found = read_structure(*xml, *model, known);
+    tendons = read_tendons(*xml, *model, found);
+    declared = read_declarations(*xml, *model, found);
+    return found;
   });
-  const std::vector<TendonSpan> tendons = read_tendons(*xml, *model, structure);
-  Declarations declared = read_declarations(*xml, *model, structure);
   const StretchMap stretches = collect_stretches(declared.space, declared.bindings, file);
   RobotModel robot;
   const PlaceMap places = collect_places(declared.space, declared.bindings, file);

@@ -339,13 +339,30 @@ TEST(Refusals, AllFaultsOfTheTextAreToldInTheOrderOfTheFile) {
                    "<site name=\"foot:a\"/><joint name=\"knee\" axis=\"0 0 0\"/>");
   const std::string all = error_message(xml);
   std::size_t at = 0;
-  for (const char* part : {"attribute fusestatic", "foot:a", "a zero axis", "0,02"}) {
+  for (const char* part : {"attribute fusestatic", "foot:a", "a zero axis", "0,02", "'nan'"}) {
     const std::size_t found = all.find(part);
     ASSERT_NE(found, std::string::npos) << part << " not in " << all;
     EXPECT_GE(found, at) << all;
     at = found;
   }
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
+}
+
+/// Of the text, of the structure and of declarations: no second list after the first is mended.
+TEST(Refusals, FaultsOfAllKindsAreToldInOneList) {
+  std::string xml = test::named_robot("puppy");
+  const std::size_t data = xml.find("_length\" data=\"") + 15;
+  xml.insert(data, "9");  // a length that is none of the robot's
+  const std::size_t text = xml.rfind("| axis ");
+  ASSERT_NE(text, std::string::npos);
+  xml.replace(text, 7, "| turn ");
+  const std::size_t last = xml.rfind("<joint ", xml.find("</worldbody>"));
+  xml.insert(last + 7, "type=\"slide\" ");
+  xml =
+      test::with(xml, "<inertial pos=\"0 0 0\" mass=\"1\"", "<inertial pos=\"0 0 0\" mass=\"1,0\"");
+  const std::string all = error_message(xml);
+  for (const char* part : {"'1,0' is not a number", "slide joints", "binding 'turn' is unknown"})
+    EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
 }
 
 TEST(Refusals, MeshesInMillimetresAreToldOnce) {

@@ -13,6 +13,7 @@
 #include "tests/mjcf/robots/construction_robots.hpp"
 #include "tests/mjcf/robots/robots.hpp"
 #include "tests/mjcf/robots/split_robot.hpp"
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 
 namespace legwright {
@@ -33,6 +34,13 @@ bool accepted(const std::string& text) {
 int trials(int usual) {
   const char* const wanted = std::getenv("LEGWRIGHT_MUTANTS");
   return wanted ? std::max(usual, std::atoi(wanted)) : usual;
+}
+
+/// @return trials(), which are told
+int told_trials(int usual) {
+  const int count = trials(usual);
+  test::tell_tries("mutated robots, read", count);
+  return count;
 }
 
 TEST(Mutation, EveryPrefixIsRefused) {
@@ -84,7 +92,7 @@ TEST(Mutation, SeededMutantsDoNotCrash) {
   const std::string puppy = test::read_file(test::puppy_file()), crooked = test::crooked_robot();
   std::mt19937 random(20240611);
   int count[2] = {0, 0};
-  for (int trial = 0; trial < trials(300); ++trial)
+  for (int trial = 0, most = told_trials(300); trial < most; ++trial)
     ++count[accepted(mutate(trial % 2 ? puppy : crooked, random))];
   EXPECT_GT(count[0], 30);
   EXPECT_GT(count[1], 20);
@@ -95,7 +103,7 @@ TEST(Mutation, AcceptedMutantsCanBeRewritten) {
   const std::string crooked = test::crooked_robot();
   std::mt19937 random(99);
   int rewritten = 0;
-  for (int trial = 0; trial < trials(150); ++trial) {
+  for (int trial = 0, most = told_trials(150); trial < most; ++trial) {
     const std::string text = mutate(crooked, random);
     if (!accepted(text)) continue;
     const RobotModel robot = parse_robot(text, "mutant.xml");
@@ -113,7 +121,7 @@ TEST(Mutation, MutantsOfIncludedFilesDoNotCrash) {
   const RobotFiles good = RobotFiles::read(main);
   std::mt19937 random(7);
   int count[2] = {0, 0};
-  for (int trial = 0; trial < trials(200); ++trial) {
+  for (int trial = 0, most = told_trials(200); trial < most; ++trial) {
     const std::vector<IncludedFile> parts = good.includes();
     const std::size_t k = static_cast<std::size_t>(trial) % (parts.size() + 1);
     const bool is_main = k == parts.size();
@@ -142,7 +150,7 @@ TEST(Mutation, MutantsOfOtherConstructionsCanBeRewrittenAndPlayed) {
                                 test::declared(test::quadruped_with_arm())};
   std::mt19937 random(7);
   int played = 0, held = 0;
-  for (int trial = 0; trial < trials(300); ++trial) {
+  for (int trial = 0, most = told_trials(300); trial < most; ++trial) {
     const std::string text = mutate(robots[trial % 3], random);
     if (!accepted(text)) continue;
     const RobotModel robot = parse_robot(text, "mutant.xml");

@@ -12,6 +12,7 @@
 #include "mjcf/urdf/write_urdf.hpp"
 #include "tests/mjcf/robots/mutate_robot.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/long_tests.hpp"
 
 namespace legwright {
 namespace {
@@ -43,6 +44,7 @@ TEST(MutatedUrdf, IsRefusedOrRead) {
     int counts[3] = {0, 0, 0};
     for (int trial = 0; trial < trials; ++trial)
       ++counts[static_cast<int>(fate_of(test::mutated_robot(urdf, random)))];
+    test::tell_tries("mutated URDFs", trials);
     EXPECT_GT(counts[0], trials / 20) << name;  // mutants that are none would prove nothing
     EXPECT_GT(counts[2], trials / 20) << name;
   }

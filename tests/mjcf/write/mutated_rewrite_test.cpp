@@ -24,6 +24,7 @@
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/mutate_robot.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/long_tests.hpp"
 
 namespace legwright {
 namespace {
@@ -181,6 +182,7 @@ TEST_F(MutatedRewrite, WhatIsAcceptedCanBeWritten) {
         << "case " << i << " (" << bases()[static_cast<std::size_t>(i) % bases().size()].first
         << "): " << board_->what[i];
   }
+  test::tell_tries("mutated robots, read and written", count);
   RecordProperty("refused", refused);
   RecordProperty("written", written);
   EXPECT_GT(refused, count / 5);

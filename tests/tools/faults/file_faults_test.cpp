@@ -41,6 +41,7 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
   ASSERT_GT(calls, 2);
   ASSERT_NE(fresh, old_) << "else nothing is tested";
   const long step = test::long_tests() ? 1 : std::max(1L, calls / tried(GetParam().name));
+  long done = 0;
   for (const char* how : {"kill", "EIO", "ENOSPC"})
     for (long at = 1 + (how[0] + how[1]) % step; at <= calls; at += step) {
       SCOPED_TRACE(std::string(how) + " at call " + std::to_string(at) + " of " +
@@ -62,8 +63,10 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
         EXPECT_TRUE(stands(now, fresh, folder));
       }
       expect_works_again(folder, fresh);
+      ++done;
       if (HasFailure()) return;
     }
+  test::tell_tries("deaths and disk faults at a file call, " + GetParam().name, done);
 }
 
 /// Of a task that gives another result.

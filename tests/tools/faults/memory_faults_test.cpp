@@ -99,6 +99,7 @@ TEST_P(MemoryFaults, AreToldAsSuch) {
   }
   std::cout << GetParam().name << ": " << calls << " allocations, " << tried << " tried, " << done
             << " done, " << tried - done << " told\n";
+  test::tell_tries("allocations without memory, " + GetParam().name, tried);
   EXPECT_LT(done, tried) << "else nothing is tested";
 }
 

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
@@ -211,6 +212,7 @@ TEST_F(RunLockOf, EightWritersAreOneThatWinsAndSevenThatAreRefused) {
     EXPECT_EQ(read_json(run_ / "run.json")["who"], mine);
     EXPECT_FALSE(fs::exists(run_ / RunLock::kFile));
   }
+  test::tell_tries("writers of one folder at a time", kWriters * kRounds);
 }
 
 }  // namespace

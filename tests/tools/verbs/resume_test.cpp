@@ -131,6 +131,7 @@ TEST_F(Resume, AfterManyKillsAndStopsEveryFileIsThatOfAWholeRun) {
     const Outcome stopped = test::wait_for(child, elsewhere_.path());
     ASSERT_TRUE(stopped.code == 75 || stopped.code == -SIGTERM) << stopped.code << stopped.err;
   }
+  test::tell_tries("kills and stops of a search that went on", kills + stops);
   const Outcome last = call({"optimize", "--resume", "run"});
   EXPECT_LE(last.code, 1) << last.err;
   EXPECT_EQ(contents(run()), contents(folder_.path() / "whole"));

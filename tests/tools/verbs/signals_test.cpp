@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/support/long_tests.hpp"
 #include "tests/tools/verbs/program.hpp"
 
 namespace legwright {
@@ -62,9 +63,10 @@ class Signals : public testing::Test, protected test::CallsInFolder {
     const auto begun = Clock::now();
     EXPECT_LE(end_of(begin(words)).code, 1);
     look();
-    const auto step = (Clock::now() - begun) / kMoments;
+    const int moments = test::long_tests() ? 40 : 8;
+    const auto step = (Clock::now() - begun) / moments;
     int stopped = 0;
-    for (int n = 0; n < kMoments; ++n) {
+    for (int n = 0; n < moments; ++n) {
       const pid_t child = begin(words);
       std::this_thread::sleep_for(n * step);
       ::kill(child, signal);
@@ -74,10 +76,10 @@ class Signals : public testing::Test, protected test::CallsInFolder {
       EXPECT_EQ(hidden(), "") << words.front() << ", moment " << n;
       look();
     }
+    test::tell_tries("signals at some moment of " + words.front(), moments);
     return stopped;
   }
 
-  static constexpr int kMoments = 8;
   test::TemporaryFolder beside_;  // what the program prints
 };
 
