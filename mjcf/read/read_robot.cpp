@@ -74,15 +74,17 @@ void add_structure_faults(const XmlFile& xml, const Structure* known, Refusals& 
 
 /// All that the text tells, in one list.
 void check_whole_text(const XmlFile& xml, const Structure* known, Refusals& reasons) {
+  bool is_readable = true;
   try {
     check_text(xml, reasons);
-    check_declarations(xml, reasons);
   } catch (const InputError& fault) {
     add_all(fault, reasons);
-    check_declarations(xml, reasons);
-    add_structure_faults(xml, known, reasons);
-    reasons.throw_if_any();
+    is_readable = false;
   }
+  check_declarations(xml, reasons);
+  if (is_readable) return;
+  add_structure_faults(xml, known, reasons);
+  reasons.throw_if_any();
 }
 
 RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& file,

@@ -61,7 +61,7 @@ CleanEnd::CleanEnd() {
   if (!watcher_.joinable()) return;
   struct sigaction action {};
   action.sa_handler = tell_watcher;
-  handled_.emplace(action);
+  handled_.emplace(action, StayIgnored::all);
 }
 
 CleanEnd::~CleanEnd() {

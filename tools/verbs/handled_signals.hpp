@@ -10,11 +10,14 @@ namespace legwright {
 /// Signals that ask a program to end.
 inline constexpr std::array<int, 4> kEndSignals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
 
-/// While one lives, they are handled by `action`, but for SIGHUP where whoever started the program
-/// lets it be ignored, as nohup does: it stays so.
+/// Which of them stay ignored where whoever started the program had them ignored: SIGHUP, as nohup
+/// does, or all, as of a script's job in the background.
+enum class StayIgnored { hang_up, all };
+
+/// While one lives, they are handled by `action`.
 class HandledSignals {
  public:
-  explicit HandledSignals(struct sigaction action);
+  HandledSignals(struct sigaction action, StayIgnored stay);
   ~HandledSignals();
   HandledSignals(const HandledSignals&) = delete;
   HandledSignals& operator=(const HandledSignals&) = delete;

@@ -74,7 +74,7 @@ struct sigaction passing(pid_t child) {
 /// While one lives, signals that ask to end go to the child and leave this process alone.
 class PassedSignals {
  public:
-  explicit PassedSignals(pid_t child) : handled_(passing(child)) {}
+  explicit PassedSignals(pid_t child) : handled_(passing(child), StayIgnored::hang_up) {}
   ~PassedSignals() { started_child = 0; }
   PassedSignals(const PassedSignals&) = delete;
   PassedSignals& operator=(const PassedSignals&) = delete;

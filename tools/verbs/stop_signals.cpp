@@ -25,7 +25,7 @@ struct sigaction asking() {
 
 }  // namespace
 
-StopSignals::StopSignals() : handled_(asking()) {}
+StopSignals::StopSignals() : handled_(asking(), StayIgnored::hang_up) {}
 
 int StopSignals::received() { return received_signal; }
 

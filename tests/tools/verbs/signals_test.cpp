@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -25,8 +26,28 @@ using Words = std::vector<std::string>;
 
 class Signals : public testing::Test, protected test::CallsInFolder {
  protected:
+  /// The tests themselves may run in the background.
+  void SetUp() override {
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    for (std::size_t k = 0; k < kAsking.size(); ++k) sigaction(kAsking[k], &usual, &before_[k]);
+  }
+  void TearDown() override {
+    for (std::size_t k = 0; k < kAsking.size(); ++k) sigaction(kAsking[k], &before_[k], nullptr);
+  }
+
   pid_t begin(const Words& words) const {
     return test::start(words, folder_.path(), beside_.path());
+  }
+  /// As who starts it ignores a signal.
+  pid_t begin_ignoring(int signal, const Words& words) const {
+    struct sigaction ignore {};
+    struct sigaction before {};
+    ignore.sa_handler = SIG_IGN;
+    sigaction(signal, &ignore, &before);
+    const pid_t child = begin(words);
+    sigaction(signal, &before, nullptr);
+    return child;
   }
   test::Outcome end_of(pid_t child) const { return test::wait_for(child, beside_.path()); }
   fs::path at(const std::string& name) const { return folder_.path() / name; }
@@ -80,22 +101,29 @@ class Signals : public testing::Test, protected test::CallsInFolder {
     return stopped;
   }
 
+  static constexpr std::array<int, 3> kAsking{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kAsking.size()> before_;
   test::TemporaryFolder beside_;  // what the program prints
 };
 
 TEST_F(Signals, AHangUpThatNohupIgnoresDoesNotStopARun) {
   const std::string task = (test::kExamples / "puppy/sideways.toml").string();
-  struct sigaction ignore {
-  }, before{};
-  ignore.sa_handler = SIG_IGN;
-  sigaction(SIGHUP, &ignore, &before);
-  const pid_t child =
-      begin({"optimize", task, "-o", "run", "--plan-only", "--no-reasons", "--no-pictures"});
-  sigaction(SIGHUP, &before, nullptr);
+  const pid_t child = begin_ignoring(
+      SIGHUP, {"optimize", task, "-o", "run", "--plan-only", "--no-reasons", "--no-pictures"});
   ASSERT_TRUE(appears(at("run/iterations/0000")));
   ::kill(child, SIGHUP);
   EXPECT_LE(end_of(child).code, 1);
   EXPECT_NE(read_json(at("run/run.json"))["status"], "stopped");
+}
+
+/// As of a script's job in the background.
+TEST_F(Signals, AVerdictGoesOnWhereAnInterruptIsIgnored) {
+  make_run();
+  const pid_t child = begin_ignoring(SIGINT, {"validate", "run", "--quick"});
+  ASSERT_TRUE(appears(at("run/.lock")));
+  ::kill(child, SIGINT);
+  EXPECT_GE(end_of(child).code, 0) << "it died of the signal";
+  EXPECT_TRUE(fs::exists(at("run/result/verdict.json")));
 }
 
 TEST_F(Signals, AHangUpStopsARunThatNobodyShields) {
