@@ -136,7 +136,7 @@ TEST_F(SessionTest, ACommandInterruptsWithinANewtonStep) {
   wait_for_points(*session, 3);
   const auto start = std::chrono::steady_clock::now();
   session->pause();
-  EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);  // `benchmarks/session` measures it
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 20s);  // `benchmarks/session` measures it
   EXPECT_NE(session->snapshot()->phase, SessionPhase::searching);
 }
 

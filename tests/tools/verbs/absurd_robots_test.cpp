@@ -10,11 +10,12 @@ namespace {
 
 class AbsurdRobots : public testing::Test, protected test::CallsInFolder {
  protected:
-  /// Calls the program, which may take two seconds of a processor, as the machine may be busy.
+  /// Calls the program, which takes 0.1 to 1.7 s of a quiet processor (1.2 s of it MuJoCo's own
+  /// reader, which lists a body's sites anew at each of them); a search would take minutes.
   test::Outcome call_at_once(const std::vector<std::string>& words) const {
     const double before = child_seconds();
     const test::Outcome outcome = call(words);
-    EXPECT_LT(child_seconds() - before, 2.0) << words.front();
+    EXPECT_LT(child_seconds() - before, 10.0) << words.front();
     return outcome;
   }
   void put(const std::string& robot, const std::string& task_ends_with = "") const {

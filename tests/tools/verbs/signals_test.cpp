@@ -164,7 +164,7 @@ TEST_F(Signals, StoppedVerdictsPicturesAndPagesLeaveNothingBehind) {
 }
 
 // Processor time, on one thread, as the machine may be busy.
-TEST_F(Signals, ASearchOfManyKnotsEndsWithinTwoSeconds) {
+TEST_F(Signals, ASearchOfManyKnotsEndsAtOnce) {
   std::string task = read_file(test::kExamples / "hexapod/tripod_0.5.toml");
   const auto put = [&task](const std::string& from, const std::string& to) {
     ASSERT_NE(task.find(from), std::string::npos);
@@ -184,10 +184,12 @@ TEST_F(Signals, ASearchOfManyKnotsEndsWithinTwoSeconds) {
     return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
   };
   for (const int tenths : {10, 25}) {
+    const fs::path events = at("run" + std::to_string(tenths)) / "events.jsonl";
     const pid_t child = begin({"optimize", "many.toml", "-o", "run" + std::to_string(tenths),
                                "--threads", "1", "--no-pictures"});
     double before = 0.0;
-    for (int n = 0; n < 6000 && (before = seconds_of(child)) < 0.1 * tenths; ++n)
+    for (int n = 0;
+         n < 12000 && (!fs::exists(events) || (before = seconds_of(child)) < 0.1 * tenths); ++n)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_GE(before, 0.1 * tenths);
     ::kill(child, SIGTERM);
@@ -198,7 +200,8 @@ TEST_F(Signals, ASearchOfManyKnotsEndsWithinTwoSeconds) {
       return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 75) << status;
-    EXPECT_LT(seconds(used.ru_utime) + seconds(used.ru_stime) - before, 2.0) << tenths;
+    // 1 to 1.6 s of a quiet processor; to its end the search takes minutes.
+    EXPECT_LT(seconds(used.ru_utime) + seconds(used.ru_stime) - before, 10.0) << tenths;
   }
 }
 
