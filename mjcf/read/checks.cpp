@@ -115,25 +115,6 @@ void check_axis(const XmlFile& xml, const XmlElement& element) {
         "about, like 0 1 0");
 }
 
-/// Names that scene.xml needs for itself.
-void check_scene_needs(const XmlFile& xml, const XmlElement& element, Refusals& reasons) {
-  const std::string_view name = attribute(element, "name");
-  const auto is = [&](const char* tag, std::string_view reserved) {
-    return is_tag(element, tag) && name == reserved;
-  };
-  const XmlElement* const parent = element.Parent() ? element.Parent()->ToElement() : nullptr;
-  const bool is_sensor =
-      parent && is_tag(*parent, "sensor") &&
-      (name == "tracking" || name.substr(0, 8) == "contact:" || name.substr(0, 5) == "gait:");
-  const bool is_class =
-      is_tag(element, "default") && attribute(element, "class").substr(0, 13) == "legwright_pd_";
-  const bool is_foot = is_tag(element, "site") && name.substr(0, 5) == "foot:";
-  if (is_foot || is("key", "gait") || is("texture", "legwright_floor") ||
-      is("material", "legwright_floor") || is_sensor || is_class)
-    reasons.add(xml.error(
-        element, "the scene adds an element of this name; remove it or name it otherwise"));
-}
-
 /// Whether a body stands in the world and turns there.
 bool is_hinged_to_the_world(const XmlElement& element) {
   return is_tag(element, "body") && is_tag(*element.Parent()->ToElement(), "worldbody") &&
@@ -232,7 +213,6 @@ void check_text(const XmlFile& xml, Refusals& reasons) {
   };
   for_each_element(xml.root(), [&](const XmlElement& element) {
     collect([&] { check_element(xml, element); });
-    check_scene_needs(xml, element, reasons);
   });
   collect([&] { check_has_free_joint(xml); });
   if (!is_readable) reasons.throw_if_any();

@@ -307,7 +307,7 @@ class StructureReader {
     return name;
   }
   bool is_taken(const std::string& name) const {
-    return name == "floor" || mj_name2id(&model_, mjOBJ_GEOM, name.c_str()) >= 0 ||
+    return mj_name2id(&model_, mjOBJ_GEOM, name.c_str()) >= 0 ||
            std::any_of(out_.feet.begin(), out_.feet.end(),
                        [&](const FootContact& foot) { return foot.name == name; });
   }

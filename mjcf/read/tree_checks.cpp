@@ -172,12 +172,6 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
                  "mocap bodies are moved from outside", reasons);
   check_gravity(xml, model, reasons);
   refuse_mass_from_nowhere(xml, model, trunk, reasons);
-  for (int g = 0; g < model.ngeom; ++g)
-    if (model.body_rootid[model.geom_bodyid[g]] == trunk &&
-        name_of(model, mjOBJ_GEOM, g) == "floor")
-      reasons.add(error_at(xml, model, mjOBJ_GEOM, g,
-                           "the scene adds a floor of this name; name this part of the robot "
-                           "otherwise"));
   refuse_huge_meshes(xml, model, trunk, reasons);
   check_keyframes(xml, model, reasons);
 }

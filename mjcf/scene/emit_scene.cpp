@@ -63,6 +63,20 @@ void check_settings(const SceneSettings& settings, const mjModel& model) {
           "the gain scale is not positive");
 }
 
+/// legwright_pd_NUMBER, the first from `number` on that no class of the robot has.
+std::string unused_class(const XMLElement& root, std::size_t number) {
+  std::string name;
+  bool taken = true;
+  while (taken) {
+    name = fmt::format("legwright_pd_{}", number++);
+    taken = false;
+    for_each_element(root, [&](const XMLElement& element) {
+      taken = taken || (is_tag(element, "default") && attribute(element, "class") == name);
+    });
+  }
+  return name;
+}
+
 /// Puts the plugin's actuators in place of the robot's. The class teaches MuJoCo's implicit
 /// integrators the derivative of the servo (plugin/README.md); the plugin itself computes the
 /// torque.
@@ -74,9 +88,9 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
   for (const Servo& servo : robot.servos) {
     const Gains gains = scaled_gains(servo, gain_scale);
     const std::string bias = fmt::format("0 -{} -{}", gains.kp, gains.kd);
-    const auto [at, is_new] =
-        class_of.try_emplace(bias, fmt::format("legwright_pd_{}", class_of.size()));
+    const auto [at, is_new] = class_of.try_emplace(bias);
     if (is_new) {
+      at->second = unused_class(root, class_of.size() - 1);
       XMLElement& pd = add(defaults, "default");
       pd.SetAttribute("class", at->second.c_str());
       XMLElement& general = add(pd, "general");
@@ -153,7 +167,7 @@ void add_plugin(XMLElement& root, const RobotModel& robot, const SceneSettings& 
   if (has_key(root, kStandingKey)) config("rest", kStandingKey);
 }
 
-void add_sensors(XMLElement& root, const Morphology& morphology) {
+void add_sensors(XMLElement& root, const Morphology& morphology, const std::string& floor) {
   XMLElement& sensors = section(root, "sensor");
   XMLElement& tracking = add(sensors, "plugin");
   tracking.SetAttribute("name", "tracking");
@@ -171,7 +185,7 @@ void add_sensors(XMLElement& root, const Morphology& morphology) {
        morphology.feet) {  // found (0 or count), then the force on the foot, world axes [N]
     XMLElement& contact = add(sensors, "contact");
     contact.SetAttribute("name", ("contact:" + foot.name).c_str());
-    contact.SetAttribute("geom1", "floor");
+    contact.SetAttribute("geom1", floor.c_str());
     contact.SetAttribute("geom2", foot.name.c_str());
     contact.SetAttribute("data", "found force");
     contact.SetAttribute("reduce", "netforce");
@@ -223,9 +237,9 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
                 has_light(*model));
   replace_servos(root, robot, settings.gain_scale);
   add_settings(root, *model, view);
-  add_floor(root, *model, view, settings.floor_friction);
+  const std::string floor = add_floor(root, *model, view, settings.floor_friction);
   add_side_camera(root, view);
-  add_sensors(root, robot.morphology);
+  add_sensors(root, robot.morphology, floor);
   write_keyframes(root, settings);
   add_plugin(root, robot, settings);
 

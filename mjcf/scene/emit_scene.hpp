@@ -23,7 +23,8 @@ struct SceneSettings {
 
 /// A self-contained scene: the robot's MJCF text with floor, lights, cameras, solver options, the
 /// plugin legwright.gait in place of its servos, sensors and a keyframe at the start of the gait.
-/// Compiles only where the plugin is loaded. Names it adds: geom "floor", cameras "side" (still;
+/// Compiles only where the plugin is loaded. Names it adds: geom "floor" ("floor_2" where the robot
+/// has one; of the others the robot's own make room), cameras "side" (still;
 /// the travel goes from left to right) and "track" (the same view, follows the robot), sensors
 /// "tracking", "gait:KIND" and "contact:FOOT", key "gait", instance "gait". The view depends on
 /// `robot` and the direction of travel and of gravity only, so designs of one robot are seen alike.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/scene/plain_scene.hpp"
 
-#include <fmt/format.h>
-
 #include "mjcf/read/world_parts.hpp"
+#include "mjcf/scene/make_room.hpp"
 #include "mjcf/scene/scene_parts.hpp"
 #include "mjcf/scene/surroundings.hpp"
 #include "mjcf/text/compile.hpp"
@@ -21,14 +20,6 @@ void add_light(tinyxml2::XMLElement& world) {
   light.SetAttribute("castshadow", "true");
 }
 
-/// The robot's file stays as it is here, with its names.
-std::string unused_name(const mjModel& model, mjtObj type, const std::string& stem) {
-  std::string name = stem;
-  for (int n = 2; mj_name2id(&model, type, name.c_str()) >= 0; ++n)
-    name = fmt::format("{}_{}", stem, n);
-  return name;
-}
-
 }  // namespace
 
 std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
@@ -42,12 +33,7 @@ std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
   root.SetAttribute("model", (robot_file.substr(0, robot_file.rfind('.')) + " scene").c_str());
   add(root, "include").SetAttribute("file", robot_file.c_str());
   add_settings(root, *model, view);
-  if (!has_ground(*model)) {
-    add_floor(root, *model, view, friction);
-    root.FirstChildElement("worldbody")
-        ->LastChildElement("geom")
-        ->SetAttribute("name", unused_name(*model, mjOBJ_GEOM, "floor").c_str());
-  }
+  if (!has_ground(*model)) add_floor(root, *model, view, friction);
   add_side_camera(root, view, unused_name(*model, mjOBJ_CAMERA, "side"));
   if (!has_light(*model)) add_light(*root.FirstChildElement("worldbody"));
   tinyxml2::XMLPrinter printer;

@@ -10,10 +10,12 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/tree.hpp"
 #include "mjcf/read/world_parts.hpp"
+#include "mjcf/scene/make_room.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/references.hpp"
 
 namespace legwright {
 namespace {
@@ -194,21 +196,12 @@ class Player {
 
   /// Whether an element names something that is gone: joint="…", site1="…", objtype/objname.
   bool refers_to_gone(const XMLElement& element) const {
-    for (const auto& [kind, names] : removed_) {
-      const auto names_one = [&names = names, &element](const std::string& attribute) {
-        const char* const name = element.Attribute(attribute.c_str());
-        return name != nullptr && names.count(name) > 0;
-      };
-      for (const char* const suffix : {"", "1", "2", "inparent"})
-        if (names_one(kind + suffix)) return true;
-      const bool is_body = kind == "body";
-      if (is_body && (names_one("subtree1") || names_one("subtree2"))) return true;
-      for (const auto& [type, object] : {std::pair{"objtype", "objname"}, {"reftype", "refname"}})
-        if (names_one(object) && (element.Attribute(type, kind.c_str()) ||
-                                  (is_body && element.Attribute(type, "xbody"))))
-          return true;
-    }
-    return false;
+    bool found = false;
+    for (const auto& [kind, names] : removed_)
+      for_each_reference(element, kind, [&found, &names = names](const char*, const char* name) {
+        found = found || names.count(name) > 0;
+      });
+    return found;
   }
 
   /// Drops the elements of a section that name something that is gone, they or one in them; then
@@ -298,7 +291,8 @@ bool is_played_as_it_is(const mjModel& model, const Structure& structure) {
 
 }  // namespace
 
-std::string played_robot(const RobotModel& robot, const std::string& robot_xml) {
+std::string played_robot(const RobotModel& robot, const std::string& design_xml) {
+  std::string robot_xml = make_room(design_xml, robot.file);
   const ModelPointer model = compile_mjcf(robot_xml, robot.file);
   if (!has_parts_of(*model, robot.structure))
     throw std::invalid_argument("scene: the text is not of this robot");

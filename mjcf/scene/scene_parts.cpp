@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "mjcf/read/solver_options.hpp"
+#include "mjcf/scene/make_room.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/xml.hpp"
 #include "optimizer/design/rotation.hpp"
@@ -51,7 +52,8 @@ void place_camera(XMLElement& camera, const char* name, const Vector3d& pos, con
 }
 
 /// Sky, unless the robot has one, and the floor's material.
-void add_floor_assets(XMLElement& root, const mjModel& robot, double tile) {
+void add_floor_assets(XMLElement& root, const mjModel& robot, const std::string& material_name,
+                      double tile) {
   XMLElement& asset = add(root, "asset");
   bool has_sky = false;
   for (int t = 0; t < robot.ntex; ++t) has_sky = has_sky || robot.tex_type[t] == mjTEXTURE_SKYBOX;
@@ -66,8 +68,9 @@ void add_floor_assets(XMLElement& root, const mjModel& robot, double tile) {
       sky.SetAttribute(name, value);
   }
   XMLElement& checker = add(asset, "texture");
-  for (const auto& [name, value] : {std::pair{"name", "legwright_floor"},
-                                    {"type", "2d"},
+  const std::string texture = unused_name(robot, mjOBJ_TEXTURE, "legwright_floor");
+  set(checker, "name", texture);
+  for (const auto& [name, value] : {std::pair{"type", "2d"},
                                     {"builtin", "checker"},
                                     {"rgb1", "0.86 0.88 0.9"},
                                     {"rgb2", "0.8 0.82 0.85"},
@@ -75,8 +78,8 @@ void add_floor_assets(XMLElement& root, const mjModel& robot, double tile) {
                                     {"height", "256"}})
     checker.SetAttribute(name, value);
   XMLElement& material = add(asset, "material");
-  set(material, "name", "legwright_floor");
-  set(material, "texture", "legwright_floor");
+  set(material, "name", material_name);
+  set(material, "texture", texture);
   set(material, "texuniform", "true");
   set(material, "texrepeat", fmt::format("{0:.6g} {0:.6g}", 0.5 / tile));
   set(material, "rgba", "1 1 1 1");
@@ -146,9 +149,11 @@ void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view)
   set(statistic, "extent", format_number(round_length(4 * view.radius)));
 }
 
-void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, double friction) {
+std::string add_floor(XMLElement& root, const mjModel& robot, const SceneView& view,
+                      double friction) {
   const double tile = round_length(0.5 * view.leg_length);  // side of a square; a repeat has two
-  add_floor_assets(root, robot, tile);
+  const std::string material = unused_name(robot, mjOBJ_MATERIAL, "legwright_floor");
+  add_floor_assets(root, robot, material, tile);
   int bits = 0, priority = 0;
   for (int g = 0; g < robot.ngeom; ++g) {
     bits |= robot.geom_contype[g] | robot.geom_conaffinity[g];
@@ -157,11 +162,12 @@ void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, do
   XMLElement& world = section(root, "worldbody");
   XMLElement& floor = add(world, "geom");
   const double half = std::max(10.0, round_length(100 * view.leg_length));
-  set(floor, "name", "floor");
+  std::string name = unused_name(robot, mjOBJ_GEOM, "floor");
+  set(floor, "name", name);
   set(floor, "type", "plane");
   set(floor, "pos", "0 0 0");
   set(floor, "size", fmt::format("{0} {0} {1}", half, tile));
-  set(floor, "material", "legwright_floor");
+  set(floor, "material", material);
   set(floor, "rgba", "1 1 1 1");
   set(floor, "group", "0");
   set(floor, "contype", fmt::format("{}", bits));
@@ -174,6 +180,7 @@ void add_floor(XMLElement& root, const mjModel& robot, const SceneView& view, do
   set(floor, "solimp", "0.9 0.95 0.001 0.5 2");
   set(floor, "margin", "0");
   set(floor, "gap", "0");
+  return name;
 }
 
 void add_side_camera(XMLElement& root, const SceneView& view, const std::string& name) {

@@ -30,8 +30,9 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
 /// light is the robot's where it brings a light.
 void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);
 /// Adds floor and sky. The floor's contact settings hold against any of the robot's.
-void add_floor(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,
-               double friction);
+/// @return the floor's name: "floor" where the robot has no geom of this name
+std::string add_floor(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,
+                      double friction);
 /// Adds the still camera "side".
 void add_side_camera(tinyxml2::XMLElement& root, const SceneView& view,
                      const std::string& name = "side");

@@ -19,11 +19,13 @@ using tinyxml2::XMLElement;
 
 constexpr const char* kPayload = "payload";
 
-void add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) {
-  if (const XmlElement* taken = find_named(xml.root(), "body", kPayload))
-    throw xml.error(*taken, "the task has a payload, whose body takes this name; rename the body");
+/// @return the name of its body
+std::string add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) {
+  std::string own = kPayload;
+  for (int n = 2; find_named(xml.root(), "body", own) != nullptr; ++n)
+    own = fmt::format("{}_{}", kPayload, n);
   XMLElement& body = add(trunk, "body");
-  body.SetAttribute("name", kPayload);
+  body.SetAttribute("name", own.c_str());
   body.SetAttribute("pos", format_numbers(payload.position).c_str());
   // Given outright, so that it weighs the same whatever geoms count by the robot's <compiler>.
   const Eigen::Vector3d squares = payload.size.cwiseAbs2();
@@ -46,12 +48,14 @@ void add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) 
     box.SetAttribute(name, value);
   box.SetAttribute("size", format_numbers(payload.size / 2).c_str());
   box.SetAttribute("mass", format_number(payload.mass).c_str());
+  return own;
 }
 
 /// What a robot's <compiler> says of all masses holds for the payload too.
-void check_payload(const RobotModel& robot, const std::string& text, const Payload& payload) {
+void check_payload(const RobotModel& robot, const std::string& text, const Payload& payload,
+                   const std::string& name) {
   const ModelPointer model = compile_mjcf(text, robot.file);
-  const int body = mj_name2id(model.get(), mjOBJ_BODY, kPayload);
+  const int body = mj_name2id(model.get(), mjOBJ_BODY, name.c_str());
   if (body < 0 || std::abs(model->body_mass[body] - payload.mass) > 1e-9 * payload.mass)
     throw InputError(robot.file.string(), 0, "compiler",
                      fmt::format("changes what the payload of {} kg weighs; remove settotalmass, "
@@ -67,16 +71,17 @@ std::string in_surroundings(const RobotModel& robot, const std::string& robot_xm
   if (level && !task.payload) return robot_xml;
   const auto xml = load_xml(robot_xml, robot.file);
   XMLElement& root = *xml->dom.RootElement();
+  std::string payload;
   if (task.payload) {
     const XmlElement* trunk = find_named(root, "body", robot.root_body);
     if (!trunk) throw InputError(robot.file.string(), 0, "", "the text is not of this robot");
-    add_payload(*xml, const_cast<XMLElement&>(*trunk), *task.payload);
+    payload = add_payload(*xml, const_cast<XMLElement&>(*trunk), *task.payload);
   }
   if (!level)
     add(root, "option").SetAttribute("gravity", format_numbers(-kGravity * task.up).c_str());
   tinyxml2::XMLPrinter printer;
   xml->dom.Print(&printer);
-  if (task.payload) check_payload(robot, printer.CStr(), *task.payload);
+  if (task.payload) check_payload(robot, printer.CStr(), *task.payload, payload);
   return printer.CStr();
 }
 

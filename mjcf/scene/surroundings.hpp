@@ -11,11 +11,11 @@
 
 namespace legwright {
 
-/// The robot's MJCF text as the task has it: with the payload as a body "payload" on its trunk (a
-/// box that is seen and weighs, but touches nothing) and with gravity as the ground sees it. The
-/// very same text where the task has neither.
-/// @param robot_xml text of `robot` or a design of it. Throws InputError where the robot has a body
-/// of that name.
+/// The robot's MJCF text as the task has it: with the payload as a body "payload" on its trunk, or
+/// "payload_2" where the robot has one (a box that is seen and weighs, but touches nothing), and
+/// with gravity as the ground sees it. The very same text where the task has neither.
+/// @param robot_xml text of `robot` or a design of it. Throws InputError where the robot's compiler
+/// would change what the payload weighs.
 std::string in_surroundings(const RobotModel& robot, const std::string& robot_xml,
                             const Task& task);
 

@@ -19,6 +19,7 @@
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/scene/standing_scene.hpp"
 #include "tests/support/paths.hpp"
 
 namespace legwright {
@@ -26,51 +27,8 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Stands still in the home pose for ever.
-std::string standing(const RobotModel& robot) {
-  const Morphology& m = robot.morphology;
-  std::string text = "time_s";
-  for (const Servo& servo : robot.servos) text += fmt::format(" q:{}_rad", servo.joint);
-  for (const Servo& servo : robot.servos) text += fmt::format(" tau:{}_Nm", servo.joint);
-  text += " root_x_m root_y_m root_z_m root_rx_rad root_ry_rad root_rz_rad com_x_m com_y_m com_z_m";
-  for (const Foot& foot : m.feet) {
-    for (const char* c : {"x_m", "y_m", "z_m", "fx_N", "fy_N", "fz_N"})
-      text += fmt::format(" foot:{}_{}", foot.name, c);
-    text += " contact:" + foot.name;
-  }
-  for (int knot = 0; knot < 4; ++knot) {
-    text += fmt::format(";{}", 0.25 * knot);
-    for (const double q : m.nominal_joints()) text += fmt::format(" {}", q);
-    for (int i = 0; i < m.joint_count() + 9; ++i) text += " 0";
-    for (int f = 0; f < m.foot_count(); ++f) text += " 0 0 0 0 0 1 1";
-  }
-  return text;
-}
-
-SceneSettings settings_for(const RobotModel& robot) {
-  const ModelPointer model = compile_mjcf(played_robot(robot, robot.xml), robot.file);
-  SceneSettings settings;
-  settings.trajectory = standing(robot);
-  settings.period = 1.0;
-  settings.travel = Vector3d(0, 0.1, 0);
-  const int home = mj_name2id(model.get(), mjOBJ_KEY, "home");
-  settings.start_qpos =
-      VectorXd::Map(home < 0 ? model->qpos0 : model->key_qpos + home * model->nq, model->nq);
-  settings.start_qvel = VectorXd::Zero(model->nv);
-  return settings;
-}
-
-/// Compiles with the plugin, which is loaded once for the process.
-ModelPointer compile_scene(const std::string& scene) {
-  static const bool loaded = [] {
-    const std::string library = test::binary_dir() + "/bin/mujoco_plugin/liblegwright.so";
-    if (std::filesystem::exists(library)) mj_loadPluginLibrary(library.c_str());
-    return std::filesystem::exists(library);
-  }();
-  EXPECT_TRUE(loaded);
-  return compile_mjcf(scene, "scene.xml");
-}
+using test::compile_scene;
+using test::settings_for;
 
 TEST(EmitScene, ABodyMayBeNamedAsAFootElsewhere) {
   const RobotModel robot = parse_robot(

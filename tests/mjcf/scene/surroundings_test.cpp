@@ -91,20 +91,6 @@ TEST(Surroundings, ASlopeTurnsGravity) {
   EXPECT_EQ(up_of(*compile_mjcf(robot.xml, robot.file)), Vector3d::UnitZ());
 }
 
-TEST(Surroundings, ARobotThatHasAPayloadAlreadyIsRefused) {
-  const RobotModel robot = parse_robot(
-      test::with(test::named_robot("puppy"), "<body name=\"eyes\"", "<body name=\"payload\""),
-      "puppy.xml");
-  EXPECT_EQ(in_surroundings(robot, robot.xml, Task{}), robot.xml);
-  try {
-    in_surroundings(robot, robot.xml, with_payload());
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("puppy.xml:"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("rename"), std::string::npos) << error.what();
-  }
-}
-
 TEST(Surroundings, ServosAreNoStrongerThanTheTaskAllows) {
   const RobotModel robot = robot_named("piston_puppy");
   Task task;

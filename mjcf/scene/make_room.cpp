@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/scene/make_room.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "mjcf/text/references.hpp"
+
+namespace legwright {
+namespace {
+
+using tinyxml2::XMLElement;
+
+XMLElement& writable(const XmlElement& element) { return const_cast<XMLElement&>(element); }
+
+/// Elements of one kind, whose names must differ.
+struct Kind {
+  const char* name;
+  bool (*has)(const XmlElement& element);
+  bool (*is_looked_up)(std::string_view name);
+};
+
+bool begins(std::string_view name, std::string_view with) {
+  return name.substr(0, with.size()) == with;
+}
+
+bool stands_in(const XmlElement& element, std::string_view section) {
+  const XmlElement* const parent = element.Parent() ? element.Parent()->ToElement() : nullptr;
+  return parent != nullptr && is_tag(*parent, section);
+}
+
+const Kind kKinds[] = {
+    {"key", [](const XmlElement& element) { return is_tag(element, "key"); },
+     [](std::string_view name) { return name == "gait"; }},
+    {"sensor", [](const XmlElement& element) { return stands_in(element, "sensor"); },
+     [](std::string_view name) {
+       return name == "tracking" || begins(name, "gait:") || begins(name, "contact:");
+     }},
+    {"site", [](const XmlElement& element) { return is_tag(element, "site"); },
+     [](std::string_view name) { return begins(name, "foot:"); }}};
+
+std::string numbered(const std::set<std::string>& taken, const std::string& stem) {
+  std::string name = stem;
+  for (int n = 2; taken.count(name) > 0; ++n) name = fmt::format("{}_{}", stem, n);
+  return name;
+}
+
+/// @return whether there was one to rename
+bool rename(XMLElement& root, const Kind& kind) {
+  std::set<std::string> taken;
+  std::vector<XMLElement*> renamed;
+  for_each_element(root, [&](const XmlElement& element) {
+    const char* const name = element.Attribute("name");
+    if (name == nullptr || !kind.has(element)) return;
+    taken.insert(name);
+    if (kind.is_looked_up(name)) renamed.push_back(&writable(element));
+  });
+  for (XMLElement* const element : renamed) {
+    const std::string old = element->Attribute("name");
+    const std::string own = numbered(taken, "robot_" + old);
+    taken.insert(own);
+    element->SetAttribute("name", own.c_str());
+    for_each_element(root, [&](const XmlElement& other) {
+      std::vector<std::string> attributes;
+      for_each_reference(other, kind.name, [&](const char* attribute, const char* name) {
+        if (name == old) attributes.emplace_back(attribute);
+      });
+      for (const std::string& attribute : attributes)
+        writable(other).SetAttribute(attribute.c_str(), own.c_str());
+    });
+  }
+  return !renamed.empty();
+}
+
+}  // namespace
+
+std::string make_room(const std::string& robot_xml, const std::filesystem::path& file) {
+  const auto xml = load_xml(robot_xml, file);
+  bool any = false;
+  for (const Kind& kind : kKinds) any = rename(*xml->dom.RootElement(), kind) || any;
+  if (!any) return robot_xml;
+  tinyxml2::XMLPrinter printer;
+  xml->dom.Print(&printer);
+  return printer.CStr();
+}
+
+std::string unused_name(const mjModel& model, mjtObj type, const std::string& stem) {
+  std::string name = stem;
+  for (int n = 2; mj_name2id(&model, type, name.c_str()) >= 0; ++n)
+    name = fmt::format("{}_{}", stem, n);
+  return name;
+}
+
+}  // namespace legwright
