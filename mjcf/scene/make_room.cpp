@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,18 @@ std::string numbered(const std::set<std::string>& taken, const std::string& stem
   return name;
 }
 
+/// Whether the text has the beginning of such a name in quotes, or & by which one may be written:
+/// designs are drawn many times a second, and few robots have one.
+bool may_have_to(const std::string& text) {
+  constexpr std::string_view kBeginnings[] = {"gait", "tracking", "contact:", "foot:"};
+  if (text.find('&') != std::string::npos) return true;
+  return std::any_of(std::begin(kBeginnings), std::end(kBeginnings), [&](std::string_view begin) {
+    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+      if (at > 0 && (text[at - 1] == '"' || text[at - 1] == '\'')) return true;
+    return false;
+  });
+}
+
 /// @return whether there was one to rename
 bool rename(XMLElement& root, const Kind& kind) {
   std::set<std::string> taken;
@@ -78,6 +92,7 @@ bool rename(XMLElement& root, const Kind& kind) {
 }  // namespace
 
 std::string make_room(const std::string& robot_xml, const std::filesystem::path& file) {
+  if (!may_have_to(robot_xml)) return robot_xml;
   const auto xml = load_xml(robot_xml, file);
   bool any = false;
   for (const Kind& kind : kKinds) any = rename(*xml->dom.RootElement(), kind) || any;

@@ -44,6 +44,16 @@ TEST(MakeRoom, WhereNothingStandsInTheWayTheTextIsTheVerySame) {
   EXPECT_EQ(make_room(xml, "puppy.xml"), xml);
 }
 
+TEST(MakeRoom, NamesInOtherQuotesOrByReferencesAreNamesToo) {
+  for (const char* key : {"<key name='gait'/>", "<key name=\"g&#97;it\"/>"}) {
+    const std::string xml = test::with(test::named_robot("puppy"), "</mujoco>",
+                                       std::string("<keyframe>") + key + "</keyframe></mujoco>");
+    const ModelPointer model = compile_mjcf(make_room(xml, "puppy.xml"), "puppy.xml");
+    EXPECT_LT(id(model, mjOBJ_KEY, "gait"), 0) << key;
+    EXPECT_GE(id(model, mjOBJ_KEY, "robot_gait"), 0) << key;
+  }
+}
+
 TEST(MakeRoom, WhatRefersToARenamedElementFollowsIt) {
   const ModelPointer model = compile_mjcf(make_room(crowded(), "puppy.xml"), "puppy.xml");
   for (const char* name : {"tracking", "gait:phase", "contact:FL"})
