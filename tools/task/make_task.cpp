@@ -20,6 +20,7 @@
 #include "tools/files/nearest_word.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
+#include "tools/task/stuck_feet.hpp"
 #include "tools/task/style_table.hpp"
 #include "tools/task/support_check.hpp"
 #include "tools/task/task_file.hpp"
@@ -266,6 +267,8 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
                     "bends it by {:.2g} rad (kp {:.4g} N m/rad); a stronger motor, shorter legs or "
                     "less weight would help",
                     sag.load, sag.limit, sag.joint, sag.angle, sag.kp));
+  if (std::string stuck = stuck_foot_text(robot); !stuck.empty())
+    warnings.push_back(std::move(stuck));
   if (const TwoFeet feet = two_feet(robot, task); !feet.why_it_falls().empty())
     warnings.push_back(feet.why_it_falls());
   else if (feet.soft())

@@ -13,6 +13,7 @@
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/initial_guess.hpp"
 #include "tools/files/nearest_word.hpp"
+#include "tools/task/stuck_feet.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {
@@ -156,8 +157,11 @@ std::string no_gait_text(int foot_count) {
 std::string no_task_text(const RobotModel& robot) {
   std::string gait = no_gait_text(robot.morphology.foot_count());
   if (!gait.empty()) return gait;
-  const std::string falls = two_feet(robot).why_it_falls();
-  return falls.empty() ? "" : falls + "; --gait walk writes a task all the same";
+  std::string why = stuck_foot_text(robot);
+  if (why.empty()) why = two_feet(robot).why_it_falls();
+  if (why.empty()) return "";
+  return fmt::format("{}; --gait {} writes a task all the same", why,
+                     gait_library(robot.morphology.foot_count()).front().name);
 }
 
 std::string starter_text(const StarterTask& task, const std::string& robot) {
