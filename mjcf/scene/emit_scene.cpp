@@ -17,6 +17,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/unused_name.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -63,18 +64,12 @@ void check_settings(const SceneSettings& settings, const mjModel& model) {
           "the gain scale is not positive");
 }
 
-/// legwright_pd_NUMBER, the first from `number` on that no class of the robot has.
-std::string unused_class(const XMLElement& root, std::size_t number) {
-  std::string name;
-  bool taken = true;
-  while (taken) {
-    name = fmt::format("legwright_pd_{}", number++);
-    taken = false;
-    for_each_element(root, [&](const XMLElement& element) {
-      taken = taken || (is_tag(element, "default") && attribute(element, "class") == name);
-    });
-  }
-  return name;
+bool has_class(const XMLElement& root, const std::string& name) {
+  bool found = false;
+  for_each_element(root, [&](const XMLElement& element) {
+    found = found || (is_tag(element, "default") && attribute(element, "class") == name);
+  });
+  return found;
 }
 
 /// Puts the plugin's actuators in place of the robot's. The class teaches MuJoCo's implicit
@@ -90,7 +85,8 @@ void replace_servos(XMLElement& root, const RobotModel& robot, double gain_scale
     const std::string bias = fmt::format("0 -{} -{}", gains.kp, gains.kd);
     const auto [at, is_new] = class_of.try_emplace(bias);
     if (is_new) {
-      at->second = unused_class(root, class_of.size() - 1);
+      at->second = unused_name(fmt::format("legwright_pd_{}", class_of.size() - 1),
+                               [&root](const std::string& name) { return has_class(root, name); });
       XMLElement& pd = add(defaults, "default");
       pd.SetAttribute("class", at->second.c_str());
       XMLElement& general = add(pd, "general");
@@ -209,13 +205,6 @@ void write_keyframes(XMLElement& root, const SceneSettings& settings) {
   gait.SetAttribute("qvel", format_numbers(settings.start_qvel).c_str());
 }
 
-/// A robot's own cameras of these names, which are common, make room for the scene's.
-void remove_cameras_of_its_views(XMLElement& root) {
-  for (const char* name : {"side", "track"})
-    while (const XmlElement* camera = find_named(root, "camera", name))
-      const_cast<XmlElement&>(*camera).Parent()->DeleteChild(const_cast<XmlElement*>(camera));
-}
-
 }  // namespace
 
 std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
@@ -232,7 +221,6 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
 
   const SceneView view =
       scene_view(robot.morphology, robot.space.initial(), settings.travel, up_of(*model));
-  remove_cameras_of_its_views(root);
   add_followers(const_cast<XmlElement&>(*trunk_element), view, rotation_at(model->body_quat, trunk),
                 has_light(*model));
   replace_servos(root, robot, settings.gain_scale);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/scene/make_room.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/text/references.hpp"
+#include "mjcf/text/unused_name.hpp"
 
 namespace legwright {
 namespace {
@@ -42,18 +41,14 @@ const Kind kKinds[] = {
        return name == "tracking" || begins(name, "gait:") || begins(name, "contact:");
      }},
     {"site", [](const XmlElement& element) { return is_tag(element, "site"); },
-     [](std::string_view name) { return begins(name, "foot:"); }}};
-
-std::string numbered(const std::set<std::string>& taken, const std::string& stem) {
-  std::string name = stem;
-  for (int n = 2; taken.count(name) > 0; ++n) name = fmt::format("{}_{}", stem, n);
-  return name;
-}
+     [](std::string_view name) { return begins(name, "foot:"); }},
+    {"camera", [](const XmlElement& element) { return is_tag(element, "camera"); },
+     [](std::string_view name) { return name == "side" || name == "track"; }}};
 
 /// Whether the text has the beginning of such a name in quotes, or & by which one may be written:
 /// designs are drawn many times a second, and few robots have one.
 bool may_have_to(const std::string& text) {
-  constexpr std::string_view kBeginnings[] = {"gait", "tracking", "contact:", "foot:"};
+  constexpr std::string_view kBeginnings[] = {"gait", "track", "contact:", "foot:", "side"};
   if (text.find('&') != std::string::npos) return true;
   return std::any_of(std::begin(kBeginnings), std::end(kBeginnings), [&](std::string_view begin) {
     for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
@@ -74,8 +69,8 @@ bool rename(XMLElement& root, const Kind& kind) {
   });
   for (XMLElement* const element : renamed) {
     const std::string old = element->Attribute("name");
-    const std::string own = numbered(taken, "robot_" + old);
-    taken.insert(own);
+    const std::string own = unused_name(
+        "robot_" + old, [&](const std::string& name) { return !taken.insert(name).second; });
     element->SetAttribute("name", own.c_str());
     for_each_element(root, [&](const XmlElement& other) {
       std::vector<std::string> attributes;
@@ -100,13 +95,6 @@ std::string make_room(const std::string& robot_xml, const std::filesystem::path&
   tinyxml2::XMLPrinter printer;
   xml->dom.Print(&printer);
   return printer.CStr();
-}
-
-std::string unused_name(const mjModel& model, mjtObj type, const std::string& stem) {
-  std::string name = stem;
-  for (int n = 2; mj_name2id(&model, type, name.c_str()) >= 0; ++n)
-    name = fmt::format("{}_{}", stem, n);
-  return name;
 }
 
 }  // namespace legwright

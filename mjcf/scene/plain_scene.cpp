@@ -2,10 +2,10 @@
 #include "mjcf/scene/plain_scene.hpp"
 
 #include "mjcf/read/world_parts.hpp"
-#include "mjcf/scene/make_room.hpp"
 #include "mjcf/scene/scene_parts.hpp"
 #include "mjcf/scene/surroundings.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/unused_name.hpp"
 
 namespace legwright {
 namespace {

@@ -30,8 +30,8 @@ bool is_ball(const mjModel& model, const FootContact& foot) {
          !foot.middle;
 }
 
-/// Names by the attribute that refers to them.
-using NamesByAttribute = std::map<std::string, std::set<std::string>>;
+/// Names of elements by their kind.
+using NamesByKind = std::map<std::string, std::set<std::string>>;
 
 class Player {
  public:
@@ -274,7 +274,7 @@ class Player {
   const std::vector<int> beside_ = bodies_beside(model_);
   const TreeElements elements_;
   XMLElement& root_;
-  NamesByAttribute removed_;
+  NamesByKind removed_;
   std::map<int, std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_;  // of joints: axis, anchor
 };
 

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "mjcf/read/solver_options.hpp"
-#include "mjcf/scene/make_room.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/unused_name.hpp"
 #include "mjcf/text/xml.hpp"
 #include "optimizer/design/rotation.hpp"
 

@@ -9,6 +9,7 @@
 #include "mjcf/scene/scene_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/unused_name.hpp"
 #include "mjcf/text/xml.hpp"
 #include "optimizer/design/rotation.hpp"
 
@@ -21,9 +22,9 @@ constexpr const char* kPayload = "payload";
 
 /// @return the name of its body
 std::string add_payload(const XmlFile& xml, XMLElement& trunk, const Payload& payload) {
-  std::string own = kPayload;
-  for (int n = 2; find_named(xml.root(), "body", own) != nullptr; ++n)
-    own = fmt::format("{}_{}", kPayload, n);
+  std::string own = unused_name(kPayload, [&](const std::string& name) {
+    return find_named(xml.root(), "body", name) != nullptr;
+  });
   XMLElement& body = add(trunk, "body");
   body.SetAttribute("name", own.c_str());
   body.SetAttribute("pos", format_numbers(payload.position).c_str());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mjcf/read/tree_checks.hpp"
+#include "mjcf/text/unused_name.hpp"
 
 namespace legwright {
 
@@ -28,8 +29,8 @@ class PlainNames {
     std::string stem = name;
     for (char& c : stem)
       if (std::string_view(kNoNameSigns).find(c) != std::string_view::npos) c = '_';
-    std::string out = stem;
-    for (int n = 2; !taken_.insert(out).second; ++n) out = fmt::format("{}_{}", stem, n);
+    const std::string out =
+        unused_name(stem, [this](const std::string& each) { return !taken_.insert(each).second; });
     if (renamed_.empty()) renamed_ = fmt::format("'{}' as '{}'", name, out);
     return plain_[name] = out;
   }

@@ -13,6 +13,7 @@
 #include "mjcf/text/listed.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/refusals.hpp"
+#include "mjcf/text/unused_name.hpp"
 #include "mjcf/text/xml.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
 #include "mjcf/urdf/speed_limits.hpp"
@@ -166,9 +167,9 @@ class UrdfEdits {
   /// folder and ending, and takes those that are called alike for one: each gets its own.
   std::string spec_name(const std::string& path) {
     const fs::path file = path;
-    std::string stem = file.stem().string();
-    for (int n = 2; path_of_stem_.emplace(stem, path).first->second != path; ++n)
-      stem = fmt::format("{}_{}", file.stem().string(), n);
+    const std::string stem = unused_name(file.stem().string(), [&](const std::string& each) {
+      return path_of_stem_.emplace(each, path).first->second != path;
+    });
     if (stem == file.stem()) return path;
     std::string alias = stem + file.extension().string();
     meshes_.path_of[alias] = path;

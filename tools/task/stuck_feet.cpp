@@ -69,9 +69,9 @@ std::string stuck_foot_text(const RobotModel& robot) {
     if (lift >= kLeastLift * body.leg_length) continue;
     const bool one = joints.size() == 1;
     return fmt::format(
-        "foot '{}' cannot be lifted: of its leg only {} {}, which {} not lift it; joints that a "
-        "constraint couples, without a motor or without a range are held: let one that lifts the "
-        "foot move",
+        "foot '{}' cannot be lifted: of its leg only {} {}, which {} not lift it; coupled joints "
+        "are "
+        "held in the home pose: remove what couples one that lifts the foot",
         foot.name, fmt::join(joints, ", "), one ? "moves" : "move", one ? "does" : "do");
   }
   return "";

@@ -34,16 +34,16 @@ TEST(Refusals, AllFaultsOfTheTextAreToldInTheOrderOfTheFile) {
   std::string xml = test::hopper_with("<geom name=\"tip\" size=\"0,02\" pos=\"0 0 nan\"/>");
   xml = test::with(xml, "<worldbody>", "<compiler fusestatic=\"true\"/><worldbody>");
   xml = test::with(xml, "<joint name=\"knee\" axis=\"0 1 0\"/>",
-                   "<joint name=\"knee\" axis=\"0 0 0\"/>");
+                   "<site name=\"a\" pos=\"0 0 1e999\"/><joint name=\"knee\" axis=\"0 0 0\"/>");
   const std::string all = error_message(xml);
   std::size_t at = 0;
-  for (const char* part : {"attribute fusestatic", "a zero axis", "0,02", "'nan'"}) {
+  for (const char* part : {"attribute fusestatic", "1e999", "a zero axis", "0,02", "'nan'"}) {
     const std::size_t found = all.find(part);
     ASSERT_NE(found, std::string::npos) << part << " not in " << all;
     EXPECT_GE(found, at) << all;
     at = found;
   }
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
 }
 
 /// Of the text, of the structure and of declarations: no second list after the first is mended.

@@ -46,10 +46,13 @@ TEST(EmitScene, TheRobotsOwnCamerasMakeRoomForItsViews) {
                              own + "<body name=\"FL_hip_servo\""),
                   "puppy.xml");
   const ModelPointer scene = compile_scene(emit_scene(robot, robot.xml, settings_for(robot)));
-  EXPECT_EQ(scene->ncam, 3);  // side, track, eye
+  EXPECT_EQ(scene->ncam, 4);  // side, track, robot_track, eye
   const int track = mj_name2id(scene.get(), mjOBJ_CAMERA, "track");
   ASSERT_GE(track, 0);
   EXPECT_EQ(scene->cam_mode[track], mjCAMLIGHT_TRACKCOM);
+  const int robots = mj_name2id(scene.get(), mjOBJ_CAMERA, "robot_track");
+  ASSERT_GE(robots, 0);
+  EXPECT_EQ(scene->cam_pos[3 * robots + 2], 9.0);
   EXPECT_GE(mj_name2id(scene.get(), mjOBJ_CAMERA, "eye"), 0);
 }
 

@@ -16,7 +16,8 @@ std::string crowded() {
   std::string xml = test::with(
       test::named_robot("puppy"), "<inertial",
       "<geom name=\"floor\" size=\"0.01\" contype=\"0\" conaffinity=\"0\" mass=\"0\" "
-      "material=\"legwright_floor\"/><site name=\"foot:FL\"/><camera name=\"side\"/>"
+      "material=\"legwright_floor\"/><site name=\"foot:FL\"/><camera name=\"side\" "
+      "resolution=\"64 48\"/>"
       "<body name=\"payload\"><inertial pos=\"0 0 0\" mass=\"0.01\" diaginertia=\"1e-5 1e-5 "
       "1e-5\"/></body><inertial");
   return test::with(
@@ -26,6 +27,7 @@ std::string crowded() {
       "<default><default class=\"legwright_pd_0\"><geom rgba=\"1 0 0 1\"/></default></default>"
       "<sensor><framepos name=\"tracking\" objtype=\"site\" objname=\"foot:FL\"/>"
       "<gyro name=\"gait:phase\" site=\"foot:FL\"/>"
+      "<camprojection name=\"seen\" site=\"foot:FL\" camera=\"side\"/>"
       "<gyro name=\"robot_gait:phase\" site=\"foot:FL\"/>"
       "<accelerometer name=\"contact:FL\" site=\"foot:FL\"/></sensor>"
       "<keyframe><key name=\"gait\"/></keyframe>"
@@ -67,6 +69,9 @@ TEST(MakeRoom, WhatRefersToARenamedElementFollowsIt) {
   EXPECT_EQ(model->sensor_objid[tracking], site);
   EXPECT_EQ(model->sensor_objid[id(model, mjOBJ_SENSOR, "robot_gait:phase_2")], site);
   EXPECT_EQ(model->tuple_objid[0], tracking);
+  const int camera = id(model, mjOBJ_CAMERA, "robot_side");
+  ASSERT_GE(camera, 0);
+  EXPECT_EQ(model->sensor_refid[id(model, mjOBJ_SENSOR, "seen")], camera);
 }
 
 TEST(MakeRoom, ASceneHasItsNamesWhateverARobotHas) {
@@ -82,6 +87,8 @@ TEST(MakeRoom, ASceneHasItsNamesWhateverARobotHas) {
   EXPECT_EQ(scene->sensor_type[contact], mjSENS_CONTACT);
   EXPECT_EQ(scene->sensor_objid[contact], floor);
   EXPECT_EQ(scene->sensor_type[id(scene, mjOBJ_SENSOR, "gait:phase")], mjSENS_PLUGIN);
+  EXPECT_EQ(scene->cam_bodyid[id(scene, mjOBJ_CAMERA, "side")], 0);
+  EXPECT_GT(scene->cam_bodyid[id(scene, mjOBJ_CAMERA, "robot_side")], 0);
   const int start = id(scene, mjOBJ_KEY, "gait");
   EXPECT_EQ(scene->key_qpos[start * scene->nq + 2], test::settings_for(robot).start_qpos[2]);
 }

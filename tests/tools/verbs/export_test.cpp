@@ -105,6 +105,9 @@ TEST_F(Export, MakesAFolderThatStockMujocoOpens) {
   EXPECT_EQ(walk->nplugin, 0);
   EXPECT_EQ(walk->nu, 12);
   EXPECT_GE(mj_name2id(walk.get(), mjOBJ_KEY, "gait"), 0);
+  const Outcome back = call({"init", "puppy/walk.xml", "-o", "again.xml", "--task", "again.toml"});
+  EXPECT_EQ(back.code, 0) << back.err;
+  EXPECT_EQ(call({"check", "again.toml"}).code, 0);
   const Json gains = read_json(folder / "gains.json");
   ASSERT_EQ(gains["servos"].size(), 12u);
   const std::string columns = read_file(folder / "gait.csv");
