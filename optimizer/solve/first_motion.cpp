@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "optimizer/base/parallel.hpp"
+#include "optimizer/motion/initial_guess.hpp"
 #include "optimizer/solve/task_solver.hpp"
 
 namespace legwright {
@@ -45,12 +46,20 @@ ScoutedMotion scout(const Objective& objective, const VectorXd& s, const VectorX
   return {solver.now().m, solver.now().value};
 }
 
-/// The same robot and task, but for the speed.
-Objective at_speed(const Objective& objective, double factor) {
-  Task task = objective.task();
+Task at_speed(Task task, double factor) {
   task.velocity *= factor;
   task.turn_rate *= factor;
-  return Objective(objective.morphology(), objective.space(), task);
+  return task;
+}
+
+/// The first guess of the same robot on the spot, for which no objective need be built.
+VectorXd guess_on_the_spot(const Objective& objective, const VectorXd& s) {
+  const Task task = at_speed(objective.task(), 0.0);
+  const WantedPath path(task.velocity, task.turn_rate, task.gait.period());
+  const VectorXd initial = objective.space().initial();
+  const StyleTargets style = style_targets(objective.morphology(), initial, task);
+  return initial_guess(objective.morphology(), objective.layout(), task, path,
+                       at_design(style, s - initial), s);
 }
 
 /// The guess with a sine of the cycle on top of each joint's motion, of random amplitude and phase.
@@ -84,10 +93,10 @@ std::vector<Start> starts_of(const Objective& objective, const VectorXd& s, cons
   starts.push_back({"first guess", [&guess] { return guess; }});
   const Task& task = objective.task();
   if (task.velocity.norm() > 0.0 || task.turn_rate != 0.0) {
-    starts.push_back(
-        {"guess on the spot", [&] { return initial_guess(at_speed(objective, 0.0), s); }});
+    starts.push_back({"guess on the spot", [&] { return guess_on_the_spot(objective, s); }});
     starts.push_back({"plan of half the speed", [&] {
-                        const Objective slower = at_speed(objective, kHalfSpeed);
+                        const Objective slower(objective.morphology(), objective.space(),
+                                               at_speed(objective.task(), kHalfSpeed));
                         if (options.stopped()) return VectorXd();
                         const ScoutedMotion plan =
                             scout(slower, s, initial_guess(slower, s), options, "half the speed");
