@@ -68,11 +68,11 @@ Rows rows_beside(const Eigen::Matrix2Xd& hips, Eigen::Index across) {
   return {gap, gap / std::max({spread, least, 1e-9})};
 }
 
-std::string remark(const Vector2d& ahead, const std::string& known) {
-  return fmt::format(
-      "{0}, so it seems to face {1} of its trunk's frame: front and hind, left and right are so "
-      "meant here; a task says so by forward = \"{1}\" in [travel]",
-      known, facing_text(ahead));
+Facing turned_to(const Vector2d& ahead, const std::string& known) {
+  return {ahead, known,
+          fmt::format("{0}, so it seems to face {1} of its trunk's frame: front and hind, left and "
+                      "right are so meant here; a task says so by forward = \"{1}\" in [travel]",
+                      known, facing_text(ahead))};
 }
 
 /// Of legs that no name calls front or hind.
@@ -80,25 +80,20 @@ Facing facing_without_names(const RobotModel& robot, const Eigen::Matrix2Xd& hip
   Facing out;
   const Rows along_x = rows_beside(hips, 1), along_y = rows_beside(hips, 0);
   if (hips.cols() >= static_cast<Eigen::Index>(kRows) && along_y.clear > kRowsApart &&
-      along_y.clear > kClearer * along_x.clear) {
-    out.ahead = Vector2d::UnitY();
-    out.remark = remark(
-        out.ahead, fmt::format("its hips stand in two rows along y, {:.3g} m apart", along_y.gap));
-    return out;
-  }
-  if (const std::optional<Eye> eye = eye_of(robot); eye && eye->along != out.ahead) {
-    out.ahead = eye->along;
-    out.remark = remark(out.ahead, fmt::format("the camera{} of its trunk looks along {}",
-                                               eye->camera.empty() ? "" : " '" + eye->camera + "'",
-                                               facing_text(out.ahead)));
-    return out;
-  }
+      along_y.clear > kClearer * along_x.clear)
+    return turned_to(
+        Vector2d::UnitY(),
+        fmt::format("its hips stand in two rows along y, {:.3g} m apart", along_y.gap));
+  if (const std::optional<Eye> eye = eye_of(robot); eye && eye->along != out.ahead)
+    return turned_to(eye->along, fmt::format("the camera{} of its trunk looks along {}",
+                                             eye->camera.empty() ? "" : " '" + eye->camera + "'",
+                                             facing_text(eye->along)));
   const Vector2d spread = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
   if (hips.cols() == 4 && spread.y() > kLonger * spread.x())
     out.remark = fmt::format(
         "its hips are {:.3g} m apart along y and {:.3g} m along x, and no name tells front from "
         "hind: +x of its trunk's frame is taken for ahead; if it faces y, say so by forward = "
-        "\"+y\" in [travel]",
+        "\"+y\" in [travel], and to init by --forward +y",
         spread.y(), spread.x());
   return out;
 }
@@ -125,12 +120,11 @@ Facing facing_of(const RobotModel& robot) {
     const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
     const double spread = (hips.rowwise().maxCoeff() - hips.rowwise().minCoeff()).maxCoeff();
     if (!(more > kAlong * less && more > kAhead * spread)) return out;
-    out.ahead = nearest_axis(apart);
-    if (out.ahead != Vector2d::UnitX())
-      out.remark = remark(out.ahead, fmt::format("the legs that are called front hang {:.3g} m "
-                                                 "along {} from those that are called hind",
-                                                 more, facing_text(out.ahead)));
-    return out;
+    const Vector2d ahead = nearest_axis(apart);
+    if (ahead == Vector2d::UnitX()) return out;
+    return turned_to(ahead, fmt::format("the legs that are called front hang {:.3g} m along {} "
+                                        "from those that are called hind",
+                                        more, facing_text(ahead)));
   }
   return limbs.empty() ? out : facing_without_names(robot, hips);
 }

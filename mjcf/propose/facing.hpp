@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "mjcf/read/read_robot.hpp"
@@ -11,8 +12,12 @@ namespace legwright {
 /// Which way a robot seems to be drawn. Tasks take +x of the trunk's frame for ahead, unless told.
 struct Facing {
   Eigen::Vector2d ahead = Eigen::Vector2d::UnitX();  // one of ±x, ±y of the trunk's frame
-  std::string remark;  // where that is not +x: how that is known, and what to do; else empty
+  std::string known;                                 // where that is not +x: by what; else empty
+  std::string remark;                                // the same, and what to do
 };
+
+/// Where somebody says that a robot faces; nothing: as facing_of() finds.
+using Forward = std::optional<Eigen::Vector2d>;
 
 /// By the legs that their names call front and hind, where these stand apart along one axis;
 /// without such names, of six legs and more, by the longer side of what hips span; else by where a

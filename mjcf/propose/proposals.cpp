@@ -48,12 +48,13 @@ constexpr double kShortestMove = 0.01;    // [m]
 /// Collects proposals and tries each on the file itself.
 class ProposalBuilder {
  public:
-  ProposalBuilder(const std::string& xml_text, const std::filesystem::path& file)
+  ProposalBuilder(const std::string& xml_text, const std::filesystem::path& file,
+                  const Forward& forward)
       : text_(xml_text), xml_(load_xml(xml_text, file)) {
     out_.model = parse_robot(xml_text, file);
     compiled_ = compile_mjcf(xml_->text, file);
     s_ = out_.model.space.initial();
-    out_.facing = facing_of(out_.model);
+    out_.facing = forward ? Facing{*forward, "", ""} : facing_of(out_.model);
     out_.limbs = find_limbs(out_.model.morphology, s_, out_.facing.ahead);
     rows_ = out_.limbs.empty() ? 0 : out_.limbs.back().row + 1;
     offered_.emplace(text_, file, out_.model.space);
@@ -384,8 +385,9 @@ class ProposalBuilder {
 
 }  // namespace
 
-ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file) {
-  return ProposalBuilder(xml, file).run();
+ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file,
+                                      const Forward& forward) {
+  return ProposalBuilder(xml, file, forward).run();
 }
 
 }  // namespace legwright

@@ -30,6 +30,7 @@ struct ProposedParameters {
 /// attachment of linear actuators. A parameter that the file's construction does not allow is left
 /// out, with the reason. What the file declares already is kept, and nothing of that name proposed.
 /// Throws InputError as parse_robot() does.
-ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file);
+ProposedParameters propose_parameters(const std::string& xml, const std::filesystem::path& file,
+                                      const Forward& forward = {});
 
 }  // namespace legwright

@@ -228,7 +228,7 @@ Binding::Target resolve_stretch(const XmlFile& xml, const mjModel& model,
         *at.numeric,
         fmt::format("a length must stay positive; the lower bound {} is not", parameter.lower));
   check_stretchable(xml, model, *element);
-  return {word.name, false, word.factor, at.text->GetLineNum(), measure.direction, measure.still};
+  return {word.name, {}, word.factor, at.text->GetLineNum(), measure.direction, measure.still};
 }
 
 /// The direction that a word means for a joint: mirrored from that target without a mark whose
@@ -268,7 +268,7 @@ Binding::Target resolve_axis(const XmlFile& xml, const mjModel& model,
   if (!is_tag(*element->Parent()->ToElement(), "body"))
     throw xml.error(
         *element, "a joint whose axis is designed must stand directly in its body, not in a frame");
-  return {word.name, word.mirror.has_value(), word.factor, at.text->GetLineNum(),
+  return {word.name, word.mirror, word.factor, at.text->GetLineNum(),
           turn_of(model, structure, declared, word, joint)};
 }
 
@@ -297,8 +297,7 @@ Binding::Target resolve_place(const XmlFile& xml, const mjModel& model,
                     fmt::format("declares {} m, but site '{}' is at {} = {} m; write numbers that "
                                 "agree",
                                 factor * parameter.initial, word.name, declared.direction, found));
-  return {word.name, word.mirror.has_value(), factor, at.text->GetLineNum(),
-          Eigen::Vector3d::Unit(axis)};
+  return {word.name, word.mirror, factor, at.text->GetLineNum(), Eigen::Vector3d::Unit(axis)};
 }
 
 Binding resolve(const XmlFile& xml, const mjModel& model, const DeclarationElements& at,

@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mjcf/read/mirror.hpp"
 #include "mjcf/read/structure.hpp"
 #include "mjcf/read/turning_parts.hpp"
 #include "mjcf/shape/convex_hull.hpp"
@@ -19,10 +21,10 @@ namespace legwright {
 /// What one design parameter changes in the file, by MJCF names.
 struct Binding {
   struct Target {
-    std::string name;       // body (stretch), joint (axis) or site (place)
-    bool mirrored = false;  // ~ or ^: the turn's direction was mirrored (mirrored_turn)
-    double factor = 1.0;    // this target has so many times the number: scaled tie, mirrored place
-    int line = 0;           // of the <text> that declares it
+    std::string name;                   // body (stretch), joint (axis) or site (place)
+    std::optional<Across> mirror = {};  // ~ or ^: the turn's direction was mirrored (mirrored_turn)
+    double factor = 1.0;  // this target has so many times the number: scaled tie, mirrored place
+    int line = 0;         // of the <text> that declares it
     Eigen::Vector3d direction =
         Eigen::Vector3d::Zero();  // as it holds for this target, its body's frame, unit
     double still = 0.0;           // of a stretch: where along it nothing moves [m]

@@ -34,7 +34,7 @@ Json parameters_of(const SessionState& state, const std::vector<Handle>& handles
     const DesignParameter& one = space.parameters[i];
     Json parts = Json::array();
     for (const Binding::Target& target : state.problem->robot.bindings[i].targets)
-      parts.push_back({{"name", target.name}, {"mirrored", target.mirrored}});
+      parts.push_back({{"name", target.name}, {"mirrored", target.mirror.has_value()}});
     out.push_back({{"name", one.name},
                    {"sentence", one.sentence},
                    {"unit", one.unit},

@@ -255,18 +255,20 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
-  if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
+  if (std::string why = weak_motors_text(standing_load(robot, task)); !why.empty())
+    warnings.push_back(std::move(why));
+  else if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
     warnings.push_back(
         fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
                     "m/rad), and a planned gait is not followed well; [servos] kp = {} in the task "
                     "file plays it stiffer",
                     sag.joint, sag.angle, sag.kp, sag.stiff_kp()));
   else if (sag.soft())
-    warnings.push_back(
-        fmt::format("weak motors: standing alone takes {:.2g} of the {:.3g} N m of joint '{}' and "
-                    "bends it by {:.2g} rad (kp {:.4g} N m/rad); a stronger motor, shorter legs or "
-                    "less weight would help",
-                    sag.load, sag.limit, sag.joint, sag.angle, sag.kp));
+    warnings.push_back(fmt::format(
+        "weak motors: standing alone takes {:.2g} N m of joint '{}', {:.0f} % of the "
+        "{:.3g} N m that its motor gives, and bends it by {:.2g} rad (kp {:.4g} N "
+        "m/rad); a stronger motor, shorter legs or less weight would help",
+        sag.load, sag.joint, 100.0 * sag.load / sag.limit, sag.limit, sag.angle, sag.kp));
   if (std::string stuck = stuck_foot_text(robot); !stuck.empty())
     warnings.push_back(std::move(stuck));
   if (const TwoFeet feet = two_feet(robot, task); !feet.why_it_falls().empty())

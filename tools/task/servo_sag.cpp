@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/task/servo_sag.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,8 +41,34 @@ ServoSag servo_sag(const RobotModel& robot) {
   return sag;
 }
 
+StandingLoad standing_load(const RobotModel& robot) {
+  const Eigen::VectorXd torques = standing_torques(robot.morphology, robot.space.initial());
+  StandingLoad most;
+  for (std::size_t a = 0; a < robot.servos.size(); ++a) {
+    const Servo& servo = robot.servos[a];
+    if (!servo.tendon.empty() || !std::isfinite(servo.torque_limit)) continue;
+    const double load = std::abs(torques[static_cast<Eigen::Index>(a)]);
+    if (!most.joint.empty() && load * most.limit <= most.load * servo.torque_limit) continue;
+    most = {servo.joint, load, servo.torque_limit};
+  }
+  return most;
+}
+
 ServoSag servo_sag(const RobotModel& robot, const Task& task) {
   return servo_sag(as_played(robot, task));
+}
+
+StandingLoad standing_load(const RobotModel& robot, const Task& task) {
+  return standing_load(as_played(robot, task));
+}
+
+std::string weak_motors_text(const StandingLoad& standing) {
+  if (standing.holds()) return "";
+  return fmt::format(
+      "motors too weak to stand: the home pose takes {:.2g} N m of joint '{}', whose motor gives "
+      "{:.3g} N m, so the robot sinks; it needs a stronger motor, shorter legs, less weight or a "
+      "home pose that asks less of it",
+      standing.load, standing.joint, standing.limit);
 }
 
 }  // namespace legwright

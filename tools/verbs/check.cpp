@@ -10,6 +10,7 @@
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/task/facing_warnings.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/verbs/check_keys.hpp"
@@ -55,6 +56,8 @@ std::vector<Finding> find(const CheckOptions& options) {
                   outer_of(problem, k)};
     found.stride = stride_bound(found.task, robot);
     found.warnings = task_warnings(found.task, robot);
+    for (std::string& warning : facing_warnings(found.file, robot))
+      found.warnings.push_back(std::move(warning));
     all.push_back(std::move(found));
   }
   return all;
@@ -184,7 +187,11 @@ std::string demands_text(const Finding& found) {
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
   const ServoSag sag = servo_sag(found.robot, task);
-  if (!sag.joint.empty())
+  if (const StandingLoad load = standing_load(found.robot, task); !load.holds())
+    text +=
+        fmt::format("servos  standing takes {:.2g} N m of joint '{}', whose motor gives {:.3g}\n",
+                    load.load, load.joint, load.limit);
+  else if (!sag.joint.empty())
     text += fmt::format(
         "servos  {}standing bends joint '{}' the most, by {:.2g} rad at kp {:.4g} N m/rad\n",
         task.servo_kp ? fmt::format("kp at least {} N m/rad for this task; ", *task.servo_kp) : "",

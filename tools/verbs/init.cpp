@@ -8,6 +8,7 @@
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
@@ -24,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct InitOptions : ReadingOptions {
-  std::string robot, output, task, gait;
+  std::string robot, output, task, gait, forward;
   bool write = false, json = false;
 };
 
@@ -187,7 +188,8 @@ FirstTask first_task(const InitOptions& options, const StudiedRobot& studied,
       options.gait.empty() ? std::nullopt : std::optional(options.gait);
   const fs::path folder = fs::absolute(options.task).lexically_normal().parent_path();
   const fs::path named = fs::absolute(robot).lexically_normal().lexically_proximate(folder);
-  const StarterTask task = starter_task(found.model, gait);
+  StarterTask task = starter_task(found.model, gait);
+  task.ahead = found.facing.ahead;
   if (!(task.period > 0.0) || !std::isfinite(task.period))
     throw InputError(options.robot, 0, "",
                      "no task is written: in the home pose the feet are not below the centre of "
@@ -264,7 +266,13 @@ void refuse_task_for_the_file_as_it_is(const InitOptions& options, const Studied
 int init(const InitOptions& options) {
   if (!options.gait.empty() && options.task.empty())
     throw InputError("--gait is for the task file that --task FILE writes; give both");
-  const StudiedRobot robot = study_robot(options.robot, options.reach());
+  const Forward forward = facing_axis(options.forward);
+  if (!options.forward.empty() && !forward)
+    throw InputError(fmt::format(
+        "--forward {}: expected the axis of the trunk's frame that it looks along: +x, -x, +y or "
+        "-y",
+        options.forward));
+  const StudiedRobot robot = study_robot(options.robot, options.reach(), forward);
   const ProposedParameters& found = robot.found;
   if (robot.of_urdf && (options.write || !options.task.empty()) && options.output.empty())
     throw InputError(options.robot, 0, "",
@@ -331,6 +339,9 @@ void add_init(CLI::App& program, Action& action) {
       "--gait", options->gait,
       "of that task; default: walk for two feet, trot for four, tripod for six, tetrapod for "
       "eight, wave for others");
+  verb->add_option("--forward", options->forward,
+                   "axis of the trunk's frame that it looks along: +x, -x, +y, -y; default: by "
+                   "its names and hips");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Prints the tree that was found (legs front to hind, mirror images side by side) and "

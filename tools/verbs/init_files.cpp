@@ -90,16 +90,17 @@ auto told_of_pose(const FoundPose& found, const RobotFiles& files, const Work& w
 }
 
 /// What was found in a robot's files, with the pose and the names that it lacks.
-StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose) {
+StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose,
+                   const Forward& forward) {
   const fs::path& file = given.file();
   std::string text = given.main_text();
   RobotFiles files = in_pose(given, pose);
   ProposedParameters found =
-      files.at_their_lines([&] { return propose_parameters(files.text(), file); });
+      files.at_their_lines([&] { return propose_parameters(files.text(), file, forward); });
   std::set<std::string> named = found.unnamed;
   if (!named.empty()) {
     files = files.with_main(with_named_bodies(files.main_text(), file, named));
-    found = files.at_their_lines([&] { return propose_parameters(files.text(), file); });
+    found = files.at_their_lines([&] { return propose_parameters(files.text(), file, forward); });
     for (const std::string& still : found.unnamed) named.erase(still);
   }
   return {std::move(files),
@@ -118,7 +119,8 @@ RobotFiles upright(const RobotFiles& files, const std::optional<TrunkAxes>& axes
   return axes ? with_upright_axes(files, *axes) : files;
 }
 
-StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach) {
+StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach,
+                        const Forward& forward) {
   UrdfReader reader(text, file, reach);
   MjcfOfUrdf made = reader.read();
   try {
@@ -132,7 +134,7 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
         study(upright(RobotFiles::from_text(std::move(made.text), file, reach), axes),
-              std::move(found.pose));
+              std::move(found.pose), forward);
     robot.text = std::move(text);
     robot.axes = axes;
     robot.of_urdf = true;
@@ -145,17 +147,18 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
 
 }  // namespace
 
-StudiedRobot study_robot(const fs::path& file, const FileReach& reach) {
+StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const Forward& forward) {
   refuse_task(file);
   std::string text = read_main_file(file);
-  if (is_urdf(text)) return study_urdf(std::move(text), file, reach);
+  if (is_urdf(text)) return study_urdf(std::move(text), file, reach, forward);
   const RobotFiles given = RobotFiles::from_text(std::move(text), file, reach);
   const std::optional<SixJointRoot> root = find_six_joint_root(given.text(), file);
   const RobotFiles drawn = root ? with_free_root(given, *root) : given;
   const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
   const RobotFiles files = upright(drawn, axes);
   FoundPose found = pose_of(files);
-  StudiedRobot robot = told_of_pose(found, files, [&] { return study(files, found.pose); });
+  StudiedRobot robot =
+      told_of_pose(found, files, [&] { return study(files, found.pose, forward); });
   robot.text = given.main_text();
   robot.axes = axes;
   robot.root = root;

@@ -30,7 +30,8 @@ struct StudiedRobot {
 
 /// A URDF is studied as the MJCF that mjcf_of_urdf() makes of it.
 /// Throws InputError as parse_robot() does, and for a task file in the place of its robot.
-StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {});
+StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {},
+                         const Forward& forward = {});
 
 /// What writing changes besides declarations and poses, a sentence each: `mended`, `root`, `axes`.
 std::vector<std::string> changes_besides(const StudiedRobot& robot);

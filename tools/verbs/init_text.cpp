@@ -17,6 +17,7 @@
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/skins.hpp"
+#include "tools/task/servo_sag.hpp"
 
 namespace legwright {
 namespace {
@@ -215,6 +216,14 @@ std::string table_of(const std::vector<Proposal>& proposals) {
   return text;
 }
 
+/// What keeps the robot from standing in its home pose.
+std::string standing_notes(const ProposedParameters& found) {
+  std::string text;
+  for (const std::string& note : {weak_motors_text(standing_load(found.model)), found.not_standing})
+    if (!note.empty()) text += "  " + note + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string file_notes(const RobotModel& robot) {
@@ -249,14 +258,12 @@ std::string robot_tree(const ProposedParameters& found) {
     for (const TreeLine& line : lines)
       text += fmt::format("    {:{}}  {}\n", line.names, width, line.what);
   }
-  text += held_text(found.model.structure) + file_notes(found.model);
-  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
+  return text + held_text(found.model.structure) + file_notes(found.model) + standing_notes(found);
 }
 
 std::string robot_summary(const ProposedParameters& found) {
-  const std::string text =
-      title(found) + held_text(found.model.structure) + file_notes(found.model);
-  return found.not_standing.empty() ? text : text + "  " + found.not_standing + "\n";
+  return title(found) + held_text(found.model.structure) + file_notes(found.model) +
+         standing_notes(found);
 }
 
 std::string proposal_summary(const ProposedParameters& found) {

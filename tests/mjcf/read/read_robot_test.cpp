@@ -69,8 +69,8 @@ TEST(ReadRobot, ReadsTheParametersOfThePuppy) {
   const DesignParameter& yaw = robot.space.parameters[6];
   EXPECT_EQ(yaw.name, "front_hip_axis_yaw");
   EXPECT_EQ(yaw.kind, ParameterKind::axis_angle);
-  EXPECT_FALSE(robot.bindings[6].targets[0].mirrored);
-  EXPECT_TRUE(robot.bindings[6].targets[1].mirrored);
+  EXPECT_FALSE(robot.bindings[6].targets[0].mirror);
+  EXPECT_TRUE(robot.bindings[6].targets[1].mirror);
   EXPECT_EQ(robot.bindings[6].targets[1].name, "FR_hip");
   EXPECT_EQ(robot.bindings[6].targets[1].direction, Vector3d(0, 0, -1));
 }
