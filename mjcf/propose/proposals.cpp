@@ -18,6 +18,7 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/printed_robot.hpp"
 #include "mjcf/read/stretch.hpp"
+#include "mjcf/read/tree_checks.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 
@@ -222,6 +223,9 @@ class ProposalBuilder {
       }
     if (!named)
       return "its body has no name in the file, by which it could be declared; give it one";
+    for (const int index : {limb.links[k], other.links[k]})
+      if (const std::string fault = fault_of_name(body_name(index)); !fault.empty())
+        return fmt::format("body '{}': {}", body_name(index), fault);
     if (std::abs(*twin.metres - *own.metres) > kTiedInProportion * *own.metres)
       return fmt::format(
           "bodies '{}' and '{}' differ in length, {:.4g} and {:.4g} m: mend the file, or declare "

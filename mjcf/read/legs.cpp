@@ -298,8 +298,9 @@ class StructureReader {
     names.push_back(name_of(model_, mjOBJ_BODY, foot_body(model_, foot)));
     names.push_back(name_of(model_, mjOBJ_BODY, end));
     names.push_back(name_of(model_, mjOBJ_JOINT, moving_joints(model_, out_, end).back()));
-    const auto base = std::find_if(names.begin(), names.end(),
-                                   [](const std::string& name) { return !name.empty(); });
+    const auto base = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+      return fault_of_name(name).empty();
+    });
     std::string name = base == names.end() ? "foot" : *base;
     const std::string stem = name;
     for (int n = 1; is_taken(name); ++n)

@@ -206,6 +206,11 @@ bool lacks_task(const InitOptions& options, const ProposedParameters& found) {
   return options.gait.empty() && !no_task_text(found.model).empty();
 }
 
+/// To be said again by a command that studies the robot anew.
+std::string forward_option(const InitOptions& options) {
+  return options.forward.empty() ? "" : " --forward " + options.forward;
+}
+
 /// What makes init write a robot that it studied.
 std::string writing_options(const StudiedRobot& robot) {
   if (!robot.of_urdf) return " --write";
@@ -224,8 +229,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
     if (adds)
-      text = fmt::format("next: legwright init {}{}   {}\n", shell_word(options.robot),
-                         writing_options(robot),
+      text = fmt::format("next: legwright init {}{}{}   {}\n", shell_word(options.robot),
+                         forward_option(options), writing_options(robot),
                          robot.of_urdf ? "writes the robot as MJCF with them"
                                        : "puts them into the file's <custom> section");
     if (!gait.empty())
@@ -235,8 +240,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
     return text;
   }
   const bool makes = robot.of_urdf && written.empty();
-  return fmt::format("next: legwright init {}{} --task task.toml   {}writes a first task\n",
-                     shell_word(written.empty() ? options.robot : written),
+  return fmt::format("next: legwright init {}{}{} --task task.toml   {}writes a first task\n",
+                     shell_word(written.empty() ? options.robot : written), forward_option(options),
                      adds ? writing_options(robot) : "",
                      makes  ? "writes the robot as MJCF with them and "
                      : adds ? "puts them into the file's <custom> section and "
