@@ -39,14 +39,22 @@ std::vector<std::string> names_but(const JointsAlike& place, std::size_t odd) {
   return out;
 }
 
-std::string without_range(const JointsAlike& place, bool in_degrees) {
-  std::size_t odd = 0, without = 0;
-  for (std::size_t k = 0; k < place.joints.size(); ++k) {
-    if (has_range(*place.joints[k])) continue;
-    odd = k;
-    ++without;
-  }
-  if (without != 1) return "";
+/// One joint that has no range where the others have, or has one where they have none.
+std::string odd_range(const JointsAlike& place, bool in_degrees) {
+  const auto with =
+      static_cast<std::size_t>(std::count_if(place.joints.begin(), place.joints.end(),
+                                             [](const Joint* joint) { return has_range(*joint); }));
+  const bool lacks = with + 1 == place.joints.size();
+  if (!lacks && with != 1) return "";
+  std::size_t odd = 0;
+  while (has_range(*place.joints[odd]) == lacks) ++odd;
+  if (!lacks)
+    return fmt::format(
+        "joint '{}' has a range ({}), those in its place in the other legs have none ({}); write "
+        "theirs, or take it out, if that is not meant",
+        place.joints[odd]->name,
+        angle_range_text(place.joints[odd]->lower, place.joints[odd]->upper, in_degrees),
+        listed(names_but(place, odd)));
   const Joint& other = *place.joints[odd == 0 ? 1 : 0];
   return fmt::format(
       "joint '{}' has no range, those in its place in the other legs have ({}; {}: {}): any angle "
@@ -115,7 +123,7 @@ std::vector<std::string> odd_joints(const RobotModel& robot) {
   std::vector<std::string> out;
   for (const auto& [key, place] : places) {
     if (place.joints.size() < kFewest) continue;
-    if (std::string told = without_range(place, robot.in_degrees); !told.empty())
+    if (std::string told = odd_range(place, robot.in_degrees); !told.empty())
       out.push_back(std::move(told));
     const int side = static_cast<int>(sides_across(facing.ahead));
     if (std::string told = bent_the_other_way(place, *model, side); !told.empty())

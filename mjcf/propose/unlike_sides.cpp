@@ -11,6 +11,8 @@
 #include <set>
 
 #include "mjcf/propose/facing.hpp"
+#include "mjcf/read/mirror.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/listed.hpp"
 #include "optimizer/design/kinematics.hpp"
@@ -22,8 +24,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kNear = 0.3;  // of the leg length: feet farther from a mirror image are none
-constexpr double kMirroredAxes = 0.01;  // [rad]: what exporters round, and hands
-constexpr double kTold = 1e-4;          // [m]: what differs by less was rounded
+constexpr double kMirroredAxes = 0.01;   // [rad]: what exporters round, and hands
+constexpr double kMirroredRanges = 0.1;  // [rad]
+constexpr double kTold = 1e-4;           // [m]: what differs by less was rounded
 
 const Link& link_of(const RobotModel& robot, int index) {
   return robot.morphology.links[static_cast<std::size_t>(index)];
@@ -62,6 +65,29 @@ double middle_of_hips(const RobotModel& robot, const Limb& one, const Limb& othe
   return 0.5 * (first.origin.at(s)[side] + twin.origin.at(s)[side]);
 }
 
+/// "links 'FL_thigh' and 'FR_thigh'" or, where what a foot touches with ends the length, "feet ...".
+std::string pair_named(const RobotModel& robot, const Limb& one, const Limb& other, std::size_t k) {
+  const auto named = [&](const Limb& limb) -> const std::string& {
+    return k + 1 < limb.links.size()
+               ? link_of(robot, limb.links[k]).name
+               : robot.morphology.feet[static_cast<std::size_t>(limb.foot)].name;
+  };
+  return fmt::format("{} '{}' and '{}'", k + 1 < one.links.size() ? "links" : "feet", named(one),
+                     named(other));
+}
+
+/// Of a pair of links that differ in length by more than is tied; empty where they do not.
+std::string unlike_lengths(const RobotModel& robot, const Limb& one, const Limb& other,
+                           std::size_t k, const VectorXd& s) {
+  const double length = link_length(robot, one, k, s), twins = link_length(robot, other, k, s);
+  if (std::abs(twins - length) <= std::max(kTold, kTiedInProportion * length)) return "";
+  return k + 1 < one.links.size()
+             ? fmt::format("{} differ in length, {:.4g} and {:.4g} m",
+                           pair_named(robot, one, other, k), length, twins)
+             : fmt::format("{} are {:.4g} and {:.4g} m from the last joints of their legs",
+                           pair_named(robot, one, other, k), length, twins);
+}
+
 std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vector<Limb>& limbs,
                                          Across across) {
   std::vector<std::string> out;
@@ -80,12 +106,43 @@ std::vector<std::string> nearly_mirrored(const RobotModel& robot, const std::vec
       const Vector3d off = off_mirror(one, other, across, middle);
       if (off.norm() > kNear * stretched_limb(robot.morphology, one.foot, robot.space.initial()))
         continue;
+      std::string unlike;
+      for (auto k = static_cast<std::size_t>(one.shared); k < one.links.size(); ++k)
+        if (const std::string why = unlike_lengths(robot, one, other, k, robot.space.initial());
+            !why.empty())
+          unlike += (unlike.empty() ? ": " : ", ") + why;
       out.push_back(fmt::format(
-          "feet '{}' and '{}' would be mirror images but for {:.3g}, {:.3g}, {:.3g} mm in the home "
-          "pose, so nothing ties their legs; mend the file if that is not meant",
-          foot_of(one).name, foot_of(other).name, 1e3 * off.x(), 1e3 * off.y(), 1e3 * off.z()));
+          "feet '{}' and '{}' would be mirror images but for {:.1f}, {:.1f}, {:.1f} mm along x, y, "
+          "z of the trunk in the home pose{}, so nothing ties their legs; mend the file if that is "
+          "not meant",
+          foot_of(one).name, foot_of(other).name, 1e3 * off.x(), 1e3 * off.y(), 1e3 * off.z(),
+          unlike));
     }
   return out;
+}
+
+/// Why two joints, whose axes are mirror images, have no mirrored ranges; empty where they
+/// have, or one has none.
+std::string unmirrored_ranges(const RobotModel& robot, const mjModel& model, const Joint& joint,
+                              const Joint& twin, Across across) {
+  for (const double end : {joint.lower, joint.upper, twin.lower, twin.upper})
+    if (!std::isfinite(end)) return "";
+  const VectorXd s = robot.space.initial();
+  const int from = mj_name2id(&model, mjOBJ_JOINT, joint.name.c_str()),
+            to = mj_name2id(&model, mjOBJ_JOINT, twin.name.c_str());
+  const bool alike = mirrored_turn(model, robot.structure.trunk, from, to, across, joint.axis.at(s))
+                         .dot(twin.axis.at(s)) > 0.0;
+  // Where the zeros of two joints are drawn differently, ranges are so about the home pose alone.
+  const auto mirrored_about = [&](double middle, double twins) {
+    const double lower = alike ? joint.lower - middle : middle - joint.upper,
+                 upper = alike ? joint.upper - middle : middle - joint.lower;
+    return std::abs(twins + lower - twin.lower) < kMirroredRanges &&
+           std::abs(twins + upper - twin.upper) < kMirroredRanges;
+  };
+  if (mirrored_about(0.0, 0.0) || mirrored_about(joint.nominal, twin.nominal)) return "";
+  return fmt::format("the ranges of '{}' and '{}', {} and {}, are no mirror images", joint.name,
+                     twin.name, angle_range_text(joint.lower, joint.upper, robot.in_degrees),
+                     angle_range_text(twin.lower, twin.upper, robot.in_degrees));
 }
 
 }  // namespace
@@ -115,15 +172,10 @@ std::vector<std::string> unlike_sides(const RobotModel& robot, const std::vector
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   for_each_pair(limbs, [&](const Limb& one, const Limb& other, std::size_t k) {
     const Link &link = link_of(robot, one.links[k]), &twin = link_of(robot, other.links[k]);
-    const double length = link_length(robot, one, k, s), twins = link_length(robot, other, k, s);
-    if (std::abs(twins - length) > std::max(kTold, kTiedInProportion * length))
-      out.push_back(fmt::format(
-          "links '{}' and '{}' differ in length, {:.4g} and {:.4g} m; mend the file if that is not "
-          "meant",
-          link.name, twin.name, length, twins));
-    if (std::string why = unmirrored_axes(robot, *model, link.joint, twin.joint, across);
-        !why.empty())
-      out.push_back(why + "; mend the file if that is not meant");
+    std::string axes = unmirrored_axes(robot, *model, link.joint, twin.joint, across);
+    if (axes.empty()) axes = unmirrored_ranges(robot, *model, link.joint, twin.joint, across);
+    for (const std::string& why : {unlike_lengths(robot, one, other, k, s), axes})
+      if (!why.empty()) out.push_back(why + "; mend the file if that is not meant");
   });
   return out;
 }
@@ -145,9 +197,9 @@ std::string tied_though_unlike(const RobotModel& robot, const std::vector<Limb>&
                  between = middle_of_hips(robot, one, other, across, middle, s),
                  off = off_mirror(one, other, across, between).norm();
     if (const double by = std::abs(twins - length); by >= kTold && by <= kTiedInProportion * length)
-      apart.push_back(fmt::format("links '{}' and '{}' are {:.3g} and {:.3g} mm long",
-                                  link_of(robot, one.links[k]).name,
-                                  link_of(robot, other.links[k]).name, 1e3 * length, 1e3 * twins));
+      apart.push_back(fmt::format(
+          "{} are {:.3g} and {:.3g} mm {}", pair_named(robot, one, other, k), 1e3 * length,
+          1e3 * twins, k + 1 < one.links.size() ? "long" : "from the last joints of their legs"));
     if (seen.insert({one.foot, other.foot}).second && off >= kTold)
       apart.push_back(fmt::format("feet '{}' and '{}' stand {:.3g} mm off",
                                   robot.morphology.feet[static_cast<std::size_t>(one.foot)].name,

@@ -13,6 +13,7 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/listed.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "optimizer/design/actuator_length.hpp"
 
 namespace legwright {
@@ -146,8 +147,9 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
       throw xml.error(
           element,
           fmt::format(
-              "has no torque limit to take gains from; add forcerange=\"-LIMIT LIMIT\" (N m, "
-              "along a tendon N{}), or use <position kp= kv=>",
+              "has no torque limit to take gains of joint '{}' from; add forcerange=\"-LIMIT "
+              "LIMIT\" (N m, along a tendon N{}), or use <position kp= kv=>",
+              joint,
               gear == 1.0 ? ""
                           : fmt::format(", before its gear of {:.4g}: the joint's limit "
                                         "divided by that",
@@ -256,19 +258,29 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
       throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
   }
   std::vector<Servo> servos;
+  Refusals reasons;
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const std::string& joint = morphology.links[a + 1].joint.name;
     const auto found = actuator_of.find(joint);
-    if (found == actuator_of.end()) throw without_actuator(xml, model, joint);
+    if (found == actuator_of.end()) {
+      reasons.add(without_actuator(xml, model, joint));
+      continue;
+    }
     const int actuator = found->second;
-    servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
-                                kFullTorqueError * home_arm(model, morphology, s, actuator)));
+    try {
+      servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
+                                  kFullTorqueError * home_arm(model, morphology, s, actuator)));
+    } catch (const InputError& error) {
+      reasons.add(error);
+      continue;
+    }
     if (model.actuator_trntype[actuator] == mjTRN_TENDON &&
         joint_through_tendon(model, actuator) < 0)
       servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
     const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
     servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
   }
+  reasons.throw_if_any();
   check_each_tendon_drives(xml, morphology, servos);
   return servos;
 }

@@ -56,6 +56,23 @@ std::string shell_word(const std::string& text) {
 
 namespace {
 
+/// Why the result does not do. What was stopped may come to do.
+std::string reason_lines(const RunRecord& run) {
+  std::string text;
+  for (const std::string& reason : *run.reasons)
+    text += fmt::format("  {}: {}\n", run.stopped_early() ? "not yet" : "INFEASIBLE", reason);
+  return text;
+}
+
+/// Where the run is and what comes next. @param folder as a shell's word
+std::string last_lines(const RunRecord& run, const std::string& folder, const char* then) {
+  if (run.stopped_early())
+    return fmt::format(
+        "  written  {0}, as far as it came\nnext: legwright optimize --resume {0}   goes on\n",
+        folder);
+  return fmt::format("  written  {0}\nnext: legwright validate {0}   then: {1}\n", folder, then);
+}
+
 std::string start_lines(const std::vector<StartRecord>& starts) {
   std::string text = "  starts   F at the start, at the end\n";
   for (const StartRecord& start : starts)
@@ -177,10 +194,8 @@ std::string joint_summary(const RunRecord& run, const std::filesystem::path& roo
   text += changes_line(run);
   text += time_line(run);
   text += body_lines(run);
-  for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
-  const std::string folder = shell_word(root.string());
-  text +=
-      fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report\n", folder);
+  text += reason_lines(run);
+  text += last_lines(run, shell_word(root.string()), "render, report");
   return text;
 }
 
@@ -202,14 +217,12 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
   text += time_line(run);
   text += fmt::format("  memory   {:.0f} MiB\n", *run.peak_rss_mib);
   text += body_lines(run);
-  for (const std::string& reason : *run.reasons) text += "  INFEASIBLE: " + reason + "\n";
-  if (!*run.feasible && *run.motion_only_F == *run.final_F)
+  text += reason_lines(run);
+  if (!run.stopped_early() && !*run.feasible && *run.motion_only_F == *run.final_F)
     text +=
         "  the body is still the initial one: co-design it (without --motion-only), or ask for "
         "less speed\n";
-  const std::string folder = shell_word(root.string());
-  text += fmt::format("  written  {0}\nnext: legwright validate {0}   then: render, report, play\n",
-                      folder);
+  text += last_lines(run, shell_word(root.string()), "render, report, play");
   return text;
 }
 
