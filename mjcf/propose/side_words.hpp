@@ -6,8 +6,8 @@
 namespace legwright {
 
 /// A name without the words that tell left from right and front from hind: "FL_thigh" and
-/// "thigh_front_left" are both a thigh, as are "FrontLeftThigh" and "FLthigh". Empty where nothing is
-/// left.
+/// "thigh_front_left" are both a thigh, as are "FrontLeftThigh" and "FLthigh". Empty where
+/// nothing is left.
 std::string without_side(const std::string& name);
 
 /// 1 where a word of a name says front ("FL_thigh"), −1 where one says hind ("rear_left"), 0 where

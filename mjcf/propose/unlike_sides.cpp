@@ -65,7 +65,7 @@ double middle_of_hips(const RobotModel& robot, const Limb& one, const Limb& othe
   return 0.5 * (first.origin.at(s)[side] + twin.origin.at(s)[side]);
 }
 
-/// "links 'FL_thigh' and 'FR_thigh'" or, where what a foot touches with ends the length, "feet ...".
+/// "links 'FL_thigh' and 'FR_thigh'"; of the last length, which ends where a foot touches, "feet".
 std::string pair_named(const RobotModel& robot, const Limb& one, const Limb& other, std::size_t k) {
   const auto named = [&](const Limb& limb) -> const std::string& {
     return k + 1 < limb.links.size()

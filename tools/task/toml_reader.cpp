@@ -148,7 +148,10 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view key, co
     const auto wanted =
         count > 0 ? fmt::format("an array of {} numbers", count) : "an array of numbers";
     const auto got = array ? fmt::format("an array of {}", array->size()) : type_name(*found);
-    problems_.add(line(*found), full(key), fmt::format("is {}; expected {}", got, wanted));
+    const bool more = array && count > 0 && array->size() > count;
+    problems_.add(line(*found), full(key),
+                  fmt::format("is {}; expected {}{}", got, wanted,
+                              more ? " (a comma parts two numbers: 0.4, not 0,4)" : ""));
     return std::nullopt;
   }
   std::vector<double> values;

@@ -17,6 +17,8 @@ std::string message_of(const toml::parse_error& error) {
   std::string text(error.description());
   if (text.find("','") != std::string::npos)
     text += " (numbers have a decimal point: 0.4, not 0,4)";
+  if (text.find("boolean") != std::string::npos)
+    text += " (a text stands in quotes: name = \"trot\")";
   return text + "; mend the TOML there, or cut the file back to the last line that is whole";
 }
 

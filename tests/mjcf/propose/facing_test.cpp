@@ -137,10 +137,28 @@ TEST(Facing, CalledRowsAreApart) {
 TEST(SideWords, TellRows) {
   for (const char* name : {"FL_hip", "hip_front_left", "rf1", "fore-leg", "f"})
     EXPECT_EQ(row_word(name), 1) << name;
+  for (const char* name : {"FrontRight_Lower_1", "frontRight", "frontright", "RightFront", "FRleg",
+                           "FRLeg", "LegFR", "LFFoot", "FrontLegL"})
+    EXPECT_EQ(row_word(name), 1) << name;
+  for (const char* name : {"BackLeft2", "LegRL", "RRUpper", "hindleft", "RLthigh"})
+    EXPECT_EQ(row_word(name), -1) << name;
+  for (const char* name : {"forearm", "Forearm", "RLeg", "LHip", "HipF", "Frontal", "MiddleRight",
+                           "backpack", "HAA", "armF"})
+    EXPECT_EQ(row_word(name), 0) << name;
   for (const char* name : {"RL_hip", "rear.left", "LH", "hind", "back_2", "h", "bl_1", "br_2"})
     EXPECT_EQ(row_word(name), -1) << name;
   for (const char* name : {"", "hip", "left", "front_hind", "flange", "LM_coxa", "r", "l"})
     EXPECT_EQ(row_word(name), 0) << name;
+}
+
+TEST(SideWords, LeaveThePart) {
+  for (const char* name :
+       {"FL_thigh", "thigh_front_left", "FrontLeft_thigh", "FLthigh", "thighFL", "frontleft_thigh"})
+    EXPECT_EQ(without_side(name), "thigh") << name;
+  EXPECT_EQ(without_side("FrontLeftUpperLeg"), "UpperLeg");
+  EXPECT_EQ(without_side("RightFoot"), "Foot");
+  EXPECT_EQ(without_side("FL"), "");
+  EXPECT_EQ(without_side("forearm"), "forearm");
 }
 
 }  // namespace

@@ -75,6 +75,13 @@ TEST(OddJoints, AMissingRangeIsTold) {
             "HL_knee, HR_knee; FL_knee: -2.2 to 0.4 rad): any angle is planned for it; write its "
             "range");
   EXPECT_TRUE(told_of(dog({with_knee("FR", ""), with_knee("FL", "")})).empty());
+  const std::vector<std::string> alone =
+      told_of(dog({with_knee("FR", ""), with_knee("FL", ""), with_knee("HL", "")}));
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_EQ(alone[0],
+            "joint 'HR_knee' has a range (-2.2 to 0.4 rad), those in its place in the other legs "
+            "have none (FL_knee, FR_knee, HL_knee); write theirs, or take it out, if that is not "
+            "meant");
 }
 
 TEST(OddJoints, MotorsWithoutLimitAreTold) {

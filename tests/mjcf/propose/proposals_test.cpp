@@ -18,13 +18,7 @@ namespace legwright {
 namespace {
 
 using test::example_robot;
-
-/// The robot without what it declares.
-std::string bare(std::string xml) {
-  const std::size_t from = xml.find("  <custom>"), to = xml.find("</custom>\n", from);
-  if (from != std::string::npos) xml.erase(from, to + 10 - from);
-  return xml;
-}
+using test::undeclared;
 
 ProposedParameters study(const std::string& xml) { return propose_parameters(xml, "r.xml"); }
 
@@ -38,7 +32,7 @@ const Proposal& proposal_named(const ProposedParameters& found, const std::strin
 
 TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
   const std::string xml = example_robot("puppy");
-  const ProposedParameters found = study(bare(xml));
+  const ProposedParameters found = study(undeclared(xml));
   const RobotModel declared = parse_robot(xml, "r.xml");
   EXPECT_TRUE(found.left_out.empty()) << found.left_out.front();
   EXPECT_EQ(found.proposals.size(), declared.space.parameters.size());
@@ -48,7 +42,7 @@ TEST(StudyRobot, ProposesForThePuppyWhatItsAuthorDeclared) {
 }
 
 TEST(StudyRobot, FindsRowsAndMirrorImagesByGeometry) {
-  const ProposedParameters found = study(bare(example_robot("hexapod")));
+  const ProposedParameters found = study(undeclared(example_robot("hexapod")));
   ASSERT_EQ(found.limbs.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_EQ(found.limbs[k].row, static_cast<int>(k / 2));
@@ -94,7 +88,7 @@ TEST(StudyRobot, TiesTheLegsOfARobotThatFacesLeftAsThoseOfTheSameThatFacesAhead)
 /// CAD programs put a robot's origin where its sketch began.
 TEST(StudyRobot, PairsLegsWhereverTheFrameOfTheTrunkIs) {
   for (const char* name : {"puppy", "hexapod"}) {
-    const std::string plain = bare(example_robot(name)),
+    const std::string plain = undeclared(example_robot(name)),
                       moved = test::with_trunk_frame_at(plain, {0.21, -0.13, 0.0});
     const ProposedParameters here = study(plain), there = study(moved);
     ASSERT_EQ(there.proposals.size(), here.proposals.size()) << name;
@@ -129,10 +123,10 @@ TEST(StudyRobot, ALinkThatIsObliqueToItsRodByAHandsBreadthGrowsAlongTheRod) {
 }
 
 TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
-  const ProposedParameters found = study(bare(example_robot("hexapod")));
+  const ProposedParameters found = study(undeclared(example_robot("hexapod")));
   EXPECT_EQ(proposal_named(found, "front_beam_width").binding, "stretch y: front_beam");
   EXPECT_NEAR(proposal_named(found, "middle_beam_width").value, 0.09, 1e-9);
-  for (const Proposal& proposal : study(bare(example_robot("puppy"))).proposals)
+  for (const Proposal& proposal : study(undeclared(example_robot("puppy"))).proposals)
     EXPECT_EQ(proposal.name.find("servo"), std::string::npos)
         << "no legs hang on a motor: " << proposal.name;
 }
@@ -140,15 +134,17 @@ TEST(StudyRobot, ProposesTheWidthOfBeamsThatCarryLegs) {
 TEST(StudyRobot, TurnsAxesALittleWhereLegsReachToAllSides) {
   // The hexapod's legs swing and lift; all axes of the puppy's are lateral, so they must turn much
   // to leave their plane.
-  EXPECT_LT(proposal_named(study(bare(example_robot("hexapod"))), "front_knee_axis_yaw").upper,
-            0.5);
-  EXPECT_GE(proposal_named(study(bare(example_robot("puppy"))), "front_knee_axis_yaw").upper, 1.0);
+  EXPECT_LT(
+      proposal_named(study(undeclared(example_robot("hexapod"))), "front_knee_axis_yaw").upper,
+      0.5);
+  EXPECT_GE(proposal_named(study(undeclared(example_robot("puppy"))), "front_knee_axis_yaw").upper,
+            1.0);
 }
 
 TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   // One shank is longer than the other: no pair any more, so each leg speaks for itself.
   const std::string xml =
-      test::with(bare(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
+      test::with(undeclared(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
                  "class=\"foot\" pos=\"0 0 -0.12\"");
   const ProposedParameters found = study(xml);
   for (const Proposal& proposal : found.proposals)
@@ -157,12 +153,12 @@ TEST(StudyRobot, TiesNothingThatIsNoMirrorImage) {
   ASSERT_EQ(found.remarks.size(), 1u);  // that is rather a mistake
   EXPECT_TRUE(test::holds(found.remarks[0], "feet 'FL' and 'FR' would be mirror images"))
       << found.remarks[0];
-  EXPECT_TRUE(study(bare(example_robot("quadruped"))).remarks.empty());
+  EXPECT_TRUE(study(undeclared(example_robot("quadruped"))).remarks.empty());
 }
 
 TEST(StudyRobot, TiesWhatTheFileDrawsAFewMillimetresApart) {
   const std::string xml =
-      test::with(bare(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
+      test::with(undeclared(example_robot("quadruped")), "class=\"foot\" pos=\"0 0 -0.1\"",
                  "class=\"foot\" pos=\"0 0 -0.103\"");
   const ProposedParameters found = study(xml);
   const Proposal& length = proposal_named(found, "front_shank_length");
@@ -179,7 +175,7 @@ TEST(StudyRobot, TiesWhatTheFileDrawsAFewMillimetresApart) {
 }
 
 TEST(StudyRobot, ALengthOfAnUnnamedBodyNeedsItsName) {
-  std::string xml = bare(example_robot("puppy"));
+  std::string xml = undeclared(example_robot("puppy"));
   for (const char* name : {" name=\"FL_thigh\"", " name=\"FR_thigh\""}) {
     const std::size_t at = xml.find(name);
     ASSERT_NE(at, std::string::npos);
@@ -190,13 +186,26 @@ TEST(StudyRobot, ALengthOfAnUnnamedBodyNeedsItsName) {
   const std::string named = with_named_bodies(xml, "r.xml", found.unnamed);
   const ProposedParameters again = study(named);
   EXPECT_TRUE(again.unnamed.empty());
-  EXPECT_EQ(again.proposals.size(), study(bare(example_robot("puppy"))).proposals.size());
+  EXPECT_EQ(again.proposals.size(), study(undeclared(example_robot("puppy"))).proposals.size());
   EXPECT_TRUE(test::holds(named, "name=\"FL_hip\""));
+}
+
+/// A foot whose geom has no name takes one that can be said; bodies cannot.
+TEST(StudyRobot, ABlankInTheNameOfABodyLeavesOutItsLengthAlone) {
+  std::string xml = undeclared(example_robot("puppy"));
+  for (const char* side : {"FL", "FR"})
+    xml = test::with(xml, fmt::format("name=\"{}_thigh\"", side),
+                     fmt::format("name=\"{} thigh &lt;1&gt;\"", side));
+  const ProposedParameters found = study(xml);
+  EXPECT_EQ(found.proposals.size() + 1, study(undeclared(example_robot("puppy"))).proposals.size());
+  ASSERT_EQ(found.left_out.size(), study(undeclared(example_robot("puppy"))).left_out.size() + 1);
+  const std::string all = fmt::format("{}", fmt::join(found.left_out, "\n"));
+  EXPECT_TRUE(test::holds(all, "body 'FL thigh <1>': the name holds a blank")) << all;
 }
 
 TEST(StudyRobot, AnOffsetBetweenJointsIsNoLink) {
   const std::string xml =
-      test::with(bare(example_robot("puppy")), "name=\"FL_shank\" pos=\"0 0 -0.06\"",
+      test::with(undeclared(example_robot("puppy")), "name=\"FL_shank\" pos=\"0 0 -0.06\"",
                  "name=\"FL_shank\" pos=\"0 0 -0.01\"");
   bool told = false;
   for (const std::string& line : study(xml).left_out)
@@ -206,7 +215,7 @@ TEST(StudyRobot, AnOffsetBetweenJointsIsNoLink) {
 }
 
 TEST(StudyRobot, ProposesTheEndsOfPistons) {
-  const ProposedParameters found = study(bare(example_robot("piston_puppy")));
+  const ProposedParameters found = study(undeclared(example_robot("piston_puppy")));
   EXPECT_EQ(proposal_named(found, "front_piston_top_x").binding,
             "place x: FL_piston_top ~FR_piston_top");
 }
@@ -214,7 +223,7 @@ TEST(StudyRobot, ProposesTheEndsOfPistons) {
 TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
   std::mt19937 random(7);
   for (const char* robot : {"puppy", "quadruped", "hexapod", "biped", "piston_puppy"}) {
-    const std::string xml = bare(example_robot(robot));
+    const std::string xml = undeclared(example_robot(robot));
     const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
     const RobotModel model = parse_robot(text, "r.xml");
     EXPECT_EQ(rewrite_robot(model, model.space.initial()), text) << robot;
@@ -224,13 +233,13 @@ TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
 }
 
 TEST(StudyRobot, SaysWhyItLeavesOut) {
-  const ProposedParameters biped = study(bare(example_robot("biped")));
+  const ProposedParameters biped = study(undeclared(example_robot("biped")));
   ASSERT_EQ(biped.left_out.size(), 1u);
   EXPECT_EQ(biped.left_out[0],
             "foot_length: the foot is a round sole, not the end of a leg of that length");
   // A general robot: whatever is proposed is accepted, whatever is not has a reason.
   for (const char* name : {"crooked", "crooked_piston", "crooked_printed"}) {
-    const std::string xml = bare(test::named_robot(name));
+    const std::string xml = undeclared(test::named_robot(name));
     const ProposedParameters found = study(xml);
     EXPECT_NO_THROW(parse_robot(with_declarations(xml, "r.xml", found.proposals), "r.xml")) << name;
     for (const std::string& line : found.left_out) EXPECT_GT(line.size(), line.find(": ") + 10);
@@ -267,16 +276,16 @@ TEST(StudyRobot, RefusesWhatIsNoRobot) {
 }
 
 TEST(WithDeclarations, LeaveEveryOtherByte) {
-  const std::string xml = bare(example_robot("puppy"));
+  const std::string xml = undeclared(example_robot("puppy"));
   const ProposedParameters found = study(xml);
   std::string text = with_declarations(xml, "r.xml", found.proposals);
-  EXPECT_EQ(bare(text), xml);
+  EXPECT_EQ(undeclared(text), xml);
   EXPECT_NE(text, xml);
   EXPECT_EQ(with_declarations(xml, "r.xml", {}), xml);
 }
 
 TEST(WithDeclarations, UseTheSectionThatIsThere) {
-  std::string xml = bare(example_robot("puppy"));
+  std::string xml = undeclared(example_robot("puppy"));
   xml.insert(xml.rfind("</mujoco>"),
              "  <custom>\n    <numeric name=\"own\" data=\"1\"/>\n  </custom>\n");
   const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
@@ -288,21 +297,23 @@ TEST(WithDeclarations, UseTheSectionThatIsThere) {
 
 TEST(WithDeclarations, KeepTheLineEndsOfTheFile) {
   std::string dos;
-  for (const char c : bare(example_robot("puppy"))) dos += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const char c : undeclared(example_robot("puppy")))
+    dos += c == '\n' ? "\r\n" : std::string(1, c);
   const std::string text = with_declarations(dos, "r.xml", study(dos).proposals);
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
     ASSERT_EQ(text[at - 1], '\r') << text.substr(at > 60 ? at - 60 : 0, 60);
 }
 
 TEST(WithDeclarations, AreNotPutIntoAComment) {
-  const std::string xml = bare(example_robot("puppy")) + "<!-- old: </mujoco> -->\n";
+  const std::string xml = undeclared(example_robot("puppy")) + "<!-- old: </mujoco> -->\n";
   const std::string text = with_declarations(xml, "r.xml", study(xml).proposals);
   EXPECT_EQ(parse_robot(text, "r.xml").space.size(), 20);
 }
 
 TEST(StudyRobot, FeetThatAreAHairApartShareARow) {
-  const std::string xml = test::with(bare(example_robot("biped")), "name=\"L_thigh\" pos=\"0 0.04",
-                                     "name=\"L_thigh\" pos=\"1e-9 0.04");
+  const std::string xml =
+      test::with(undeclared(example_robot("biped")), "name=\"L_thigh\" pos=\"0 0.04",
+                 "name=\"L_thigh\" pos=\"1e-9 0.04");
   const ProposedParameters found = study(xml);
   EXPECT_EQ(found.limbs.back().row, 0);
   EXPECT_EQ(proposal_named(found, "thigh_length").unit, "m");

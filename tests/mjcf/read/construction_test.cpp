@@ -318,5 +318,18 @@ TEST(Couplings, LoopsAmongWhatIsHeldAreNone) {
   EXPECT_TRUE(holds(error_message(test::with(tied, " body2=\"pelvis\"", "")), "in the world"));
 }
 
+TEST(Construction, AllJointsWithoutActuatorAreToldAtOnce) {
+  std::string xml = test::named_robot("puppy");
+  const std::size_t from = xml.find("<actuator>"), to = xml.find("</actuator>");
+  ASSERT_LT(from, to);
+  xml.erase(from, to - from + std::string("</actuator>").size());
+  const std::size_t ctrl = xml.find("ctrl=\"");
+  ASSERT_NE(ctrl, std::string::npos);
+  xml.erase(ctrl, xml.find('"', ctrl + 6) + 1 - ctrl);
+  const std::string told = error_message(xml);
+  for (const char* joint : {"FL_hip", "FL_knee", "HR_ankle"})
+    EXPECT_TRUE(holds(told, fmt::format("joint '{}': has no actuator", joint))) << told;
+}
+
 }  // namespace
 }  // namespace legwright

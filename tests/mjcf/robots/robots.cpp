@@ -32,6 +32,12 @@ std::string example_robot(const std::string& name) {
   return read_file(source_path("examples/" + name + "/robot.xml"));
 }
 
+std::string undeclared(std::string xml) {
+  const std::size_t from = xml.find("  <custom>"), to = xml.find("</custom>\n", from);
+  if (from != std::string::npos) xml.erase(from, to + 10 - from);
+  return xml;
+}
+
 std::string with(std::string text, const std::string& old_part, const std::string& new_part) {
   const std::size_t at = text.find(old_part);
   EXPECT_NE(at, std::string::npos) << old_part;

@@ -17,6 +17,8 @@ std::string read_file(const std::filesystem::path& file);
 std::filesystem::path puppy_file();
 /// Text of the robot of examples/NAME.
 std::string example_robot(const std::string& name);
+/// The robot without its <custom> section, in which it declares design parameters.
+std::string undeclared(std::string xml);
 /// A small robot with everything that makes a tree general: turned bodies, a fixed body in between,
 /// two hinges in one body, hinges away from the origin of their body, an oblique link, axes that
 /// start turned, parts that inherit their place from a class, an inertia in turned axes.

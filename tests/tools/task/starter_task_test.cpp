@@ -107,6 +107,25 @@ TEST(StarterTask, WeakMotorsAreReportedInsteadOfPlayedStiffer) {
       << warnings[0];
 }
 
+TEST(StarterTask, MotorsThatCannotHoldTheRobotAreTold) {
+  RobotModel model = robot("servo_dog");
+  const StandingLoad strong = standing_load(model);
+  EXPECT_TRUE(strong.holds());
+  EXPECT_EQ(weak_motors_text(strong), "");
+  for (Servo& servo : model.servos) servo.torque_limit = 0.5 * strong.load;
+  const StandingLoad weak = standing_load(model);
+  EXPECT_FALSE(weak.holds());
+  EXPECT_EQ(weak.joint, strong.joint);
+  const Task task =
+      make_task(parse_task_file(starter_text(starter_task(model, std::nullopt), "robot.xml"),
+                                kSource / "tests/robots/servo_dog/t.toml"),
+                model);
+  const std::vector<std::string> warnings = task_warnings(task, model);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings[0], weak_motors_text(weak)) << "nothing of how far servos bend";
+  EXPECT_NE(warnings[0].find("too weak to stand"), std::string::npos) << warnings[0];
+}
+
 TEST(StarterTask, ShortSwingsHaveKnotsEnough) {
   const RobotModel strider = robot("strider");
   EXPECT_FALSE(starter_task(strider, "tripod").knots);

@@ -19,10 +19,8 @@ using test::kSource;
 
 /// The hexapod, whose legs swing about upright axes, with the joints that lift one leg coupled.
 RobotModel coupled(const std::string& leg) {
-  std::string xml = read_file(kSource / "examples/hexapod/robot.xml");
-  const std::size_t from = xml.find("<custom>");
-  const std::string end = "</custom>";
-  xml.erase(from, xml.find(end) + end.size() - from);  // its design parameters move these joints
+  const std::string xml =
+      test::undeclared(test::example_robot("hexapod"));  // they move these joints
   return parse_robot(
       test::with(xml, "</mujoco>",
                  fmt::format("<equality><joint joint1=\"{0}_lift\" joint2=\"{0}_knee\"/></equality>"

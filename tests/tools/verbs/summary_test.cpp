@@ -54,6 +54,28 @@ TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
       << text;
 }
 
+TEST(OptimizeSummary, OfAStoppedSearchTellsHowItGoesOn) {
+  RunRecord run;
+  run.robot = "puppy";
+  run.task.emplace().name = "walk";
+  run.status = "interrupted";
+  run.motion_only = false;
+  run.design_iterations = run.newton_iterations = 0;
+  run.motion_only_F = run.final_F = 2.0;
+  run.speed_reached = run.speed_wanted = 0.1;
+  run.peak_rss_mib = 100.0;
+  run.reasons = std::vector<std::string>{"a foot slips"};
+  run.feasible = false;
+  const std::string text = optimize_summary(run, "runs/a");
+  EXPECT_NE(text.find("  not yet: a foot slips\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("next: legwright optimize --resume runs/a"), std::string::npos) << text;
+  EXPECT_EQ(text.find("motion-only"), std::string::npos) << text;
+  run.status = "converged";
+  const std::string whole = optimize_summary(run, "runs/a");
+  EXPECT_NE(whole.find("  INFEASIBLE: a foot slips\n"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("next: legwright validate runs/a"), std::string::npos) << whole;
+}
+
 /// Not a design whose start is called after a task of that name, nor one that was picked instead.
 TEST(OptimizeSummary, TellsWhenFOfFewerChangesIsThatOfATightenedSearch) {
   RunRecord run;
