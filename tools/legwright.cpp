@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
-#include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
 #include "tools/verbs/clean_end.hpp"
 #include "tools/verbs/parent_death.hpp"

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAlong = 2.0;         // times as far apart along one axis as along the other
+constexpr double kTimesAlong = 2.0;    // times as far apart along one axis as along the other
 constexpr double kClearer = 2.0;       // times as clear as the other way to see hips in two rows
 constexpr double kRowsApart = 0.5;     // of the spread within a row: closer ones are none
 constexpr double kLeastSpread = 0.01;  // of all hips: rows are not straighter
@@ -119,7 +119,7 @@ Facing facing_of(const RobotModel& robot) {
     const Vector2d apart = front / fronts - hind / hinds;
     const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
     const double spread = (hips.rowwise().maxCoeff() - hips.rowwise().minCoeff()).maxCoeff();
-    if (!(more > kAlong * less && more > kAhead * spread)) return out;
+    if (!(more > kTimesAlong * less && more > kAhead * spread)) return out;
     const Vector2d ahead = nearest_axis(apart);
     if (ahead == Vector2d::UnitX()) return out;
     return turned_to(ahead, fmt::format("the legs that are called front hang {:.3g} m along {} "

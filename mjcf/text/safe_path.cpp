@@ -148,13 +148,15 @@ std::string read_regular_file(const fs::path& file, std::size_t most) {
   if (status.type() == fs::file_type::not_found)
     throw InputError(file.string(), 0, "", "no such file; check the path of the robot");
   if (!error && !fs::is_regular_file(status))
-    throw InputError(file.string(), 0, "", "is no regular file; name the robot's MJCF file");
+    throw InputError(file.string(), 0, "",
+                     "is no regular file; name the robot's MJCF or URDF file");
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat now {};
   if (opened.number() < 0 || ::fstat(opened.number(), &now) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot open " + file.string());
   if (!S_ISREG(now.st_mode))
-    throw InputError(file.string(), 0, "", "is no regular file; name the robot's MJCF file");
+    throw InputError(file.string(), 0, "",
+                     "is no regular file; name the robot's MJCF or URDF file");
   std::string bytes;
   char buffer[1 << 16];
   while (bytes.size() <= most) {

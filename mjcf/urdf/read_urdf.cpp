@@ -15,6 +15,9 @@
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/unused_name.hpp"
 #include "mjcf/text/xml.hpp"
+#include "mjcf/urdf/check_urdf.hpp"
+#include "mjcf/urdf/check_urdf_tree.hpp"
+#include "mjcf/urdf/missing_meshes.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
 #include "mjcf/urdf/speed_limits.hpp"
 #include "mjcf/urdf/urdf_meshes.hpp"
@@ -55,7 +58,11 @@ void refuse_macros(const XmlFile& xml) {
 class UrdfEdits {
  public:
   UrdfEdits(const XmlFile& xml, MeshSources& meshes, MjcfOfUrdf& out)
-      : xml_(xml), folder_(xml.file.parent_path()), meshes_(meshes), out_(out) {
+      : xml_(xml),
+        folder_(xml.file.parent_path()),
+        mesh_folder_(urdf_mesh_folder(xml)),
+        meshes_(meshes),
+        out_(out) {
     document_.Parse(xml.text.data(), xml.text.size());
   }
 
@@ -105,7 +112,6 @@ class UrdfEdits {
       compiler = document_.NewElement("compiler");
       extension->InsertFirstChild(compiler);
     }
-    if (const char* const folder = compiler->Attribute("meshdir")) mesh_folder_ = folder;
     compiler->DeleteAttribute("meshdir");
     for (const char* off : {"fusestatic", "discardvisual", "strippath"})
       compiler->SetAttribute(off, "false");
@@ -139,14 +145,19 @@ class UrdfEdits {
     }
   }
 
-  /// Where a mesh lies; empty: it is left out. What may touch must be there.
+  /// Where a mesh lies; empty: it is left out. What may touch is there (refuse_missing_meshes()).
   std::string path_of_mesh(const std::string& name, const XmlElement& link, bool only_seen) {
     const UrdfMeshFile found = find_urdf_mesh(name, folder_, mesh_folder_);
-    const std::string shown = fs::path(name).filename().string();
+    std::string shown = fs::path(name).filename().string();
     const bool missing = found.kind == UrdfMeshKind::missing;
     std::string fault;
     if (found.kind == UrdfMeshKind::unreadable) fault = "is of a format that MuJoCo cannot read";
-    if (missing && only_seen) fault = "is not there";
+    if (missing && only_seen) {
+      fault = "is the file of a <visual> and not there";
+      const std::string other = mesh_in_other_case(name, folder_, mesh_folder_);
+      if (!other.empty())
+        shown += fmt::format(" ({} is there: file names are case-sensitive here)", other);
+    }
     bool colliding = false;
     if (const ColladaMesh* const read = missing ? nullptr : meshes_.collada.find(found.path)) {
       fault = read->fault;
@@ -197,7 +208,7 @@ class UrdfEdits {
   const XmlFile& xml_;
   tinyxml2::XMLDocument document_;
   const fs::path folder_;
-  std::string mesh_folder_;
+  const std::string mesh_folder_;
   MeshSources& meshes_;
   MjcfOfUrdf& out_;
   bool repeated_material_ = false;
@@ -238,6 +249,11 @@ UrdfReader::UrdfReader(const std::string& text, const fs::path& file, const File
   refuse_macros(*xml_);
   if (xml_->root().FirstChildElement("link") == nullptr)
     throw xml_->error(xml_->root(), "has no <link>; a URDF is made of <link> and <joint> elements");
+  Refusals faults;
+  check_urdf(*xml_, faults);
+  check_urdf_tree(*xml_, faults);
+  refuse_missing_meshes(*xml_, faults);
+  faults.throw_if_any();
 }
 
 MjcfOfUrdf UrdfReader::read(const UrdfMending& mending) {

@@ -38,4 +38,13 @@ std::optional<std::string> behind_find_of_xacro(const std::string& name);
 UrdfMeshFile find_urdf_mesh(const std::string& name, const std::filesystem::path& folder,
                             const std::string& mesh_folder);
 
+/// Where a mesh that is missing was looked for, as a sentence without its point.
+std::string where_mesh_was_sought(const std::string& name, const std::filesystem::path& folder,
+                                  const std::string& mesh_folder);
+
+/// The file in the place of a missing one whose path differs in capitals alone, seen from the
+/// URDF's folder; empty: there is none.
+std::string mesh_in_other_case(const std::string& name, const std::filesystem::path& folder,
+                               const std::string& mesh_folder);
+
 }  // namespace legwright

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
-#include "tools/files/nearest_word.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "tools/modules/linear_pivots.hpp"
 #include "tools/modules/table_values.hpp"
 #include "tools/task/task_table.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "tools/files/nearest_word.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "tools/modules/module_figures.hpp"
 #include "tools/modules/slide_table.hpp"
 #include "tools/modules/table_values.hpp"

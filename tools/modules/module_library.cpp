@@ -8,9 +8,9 @@
 #include <set>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
-#include "tools/files/nearest_word.hpp"
 #include "tools/run/install.hpp"
 #include "tools/task/toml_text.hpp"
 

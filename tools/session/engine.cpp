@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/nearest_word.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "tools/task/design_table.hpp"
 
 namespace legwright {

@@ -9,10 +9,10 @@
 
 #include "mjcf/propose/facing.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/initial_guess.hpp"
-#include "tools/files/nearest_word.hpp"
 #include "tools/task/stuck_feet.hpp"
 #include "tools/task/toml_reader.hpp"
 

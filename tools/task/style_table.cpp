@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "mjcf/text/nearest_word.hpp"
 #include "optimizer/motion/faced_frame.hpp"
-#include "tools/files/nearest_word.hpp"
 
 namespace legwright {
 namespace {

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/urdf/read_urdf.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/margins.hpp"
 #include "tools/files/atomic_file.hpp"
@@ -158,11 +159,14 @@ std::filesystem::path find_robot(const std::string& name, const std::filesystem:
 void refuse_robot(const std::string& text, const std::filesystem::path& file) {
   const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first == std::string::npos || text[first] != '<') return;
+  const std::string output =
+      is_urdf(text) ? fmt::format(" -o {}.xml", file.stem().string()) : std::string();
   throw InputError(
       file.string(), 0, "",
       fmt::format("found XML, as a robot has it; expected a task file (TOML), which names its "
-                  "robot. `legwright init {} --task task.toml` writes a first one",
-                  file.string()));
+                  "robot. `legwright init {}{} --task task.toml` writes a first one{}",
+                  file.string(), output,
+                  output.empty() ? "" : " and the robot as MJCF, which a task can name"));
 }
 
 void check_name(TaskTable& in, const std::string& name, Problems& problems) {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "mjcf/text/input_error.hpp"
-#include "tools/files/nearest_word.hpp"
+#include "mjcf/text/nearest_word.hpp"
 
 namespace legwright {
 namespace {

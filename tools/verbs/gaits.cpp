@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "tools/files/json_file.hpp"
-#include "tools/files/nearest_word.hpp"
 #include "tools/task/toml_reader.hpp"
 #include "tools/verbs/verbs.hpp"
 

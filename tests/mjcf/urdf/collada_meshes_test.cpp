@@ -87,16 +87,16 @@ TEST_F(ColladaOfUrdf, LiesWithinReach) {
   EXPECT_EQ(compile_mjcf(confined.read().text, home_ / "robot.xml")->nmesh, 0);
 }
 
-TEST_F(ColladaOfUrdf, OneThatCollidesAndIsNotThereIsToldByWhoeverReadsTheMjcf) {
+TEST_F(ColladaOfUrdf, OneThatCollidesAndIsNotThereIsRefused) {
   const std::string urdf =
       test::with(kHopper, "<collision name=\"shell\"><geometry><box size=\"0.2 0.1 0.04\"/>",
                  "<collision name=\"shell\"><geometry><mesh filename=\"box.dae\"/>");
-  const MjcfOfUrdf made = mjcf_of_urdf(urdf, urdf_);
   try {
-    RobotFiles::from_text(made.text, urdf_);
+    mjcf_of_urdf(urdf, urdf_);
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_TRUE(test::tells(error.what(), "the file 'box.dae' is not there")) << error.what();
+    EXPECT_TRUE(test::tells(error.what(), "the mesh 'box.dae' of its <collision> is not there"))
+        << error.what();
   }
 }
 

@@ -52,6 +52,32 @@ TEST_F(UrdfMeshes, OfPackagesThatXacroWouldFindAreLookedForLikewise) {
   EXPECT_FALSE(behind_find_of_xacro("package://dog_description/meshes/hip.stl"));
 }
 
+TEST_F(UrdfMeshes, ThatAreMissingAreToldWithWhereTheyWereSought) {
+  const fs::path urdf = folder_.path() / "dog_description" / "urdf";
+  const std::string package =
+      where_mesh_was_sought("package://dog_description/meshes/hip.stl", urdf, "");
+  EXPECT_EQ(
+      package.rfind(
+          "package dog_description was looked for in the folder " + urdf.string() + " and the ", 0),
+      0u)
+      << package;
+  EXPECT_EQ(where_mesh_was_sought("parts/hip.stl", urdf, "../meshes"),
+            "its file was looked for in " +
+                (folder_.path() / "dog_description/meshes/parts").string() + ", " +
+                (urdf / "parts").string() + ", " +
+                (folder_.path() / "dog_description/meshes").string());
+}
+
+TEST_F(UrdfMeshes, ThatDifferInCapitalsAloneAreFound) {
+  add("dog_description/Meshes/hip.STL");
+  const fs::path urdf = folder_.path() / "dog_description" / "urdf";
+  const std::string name = "package://dog_description/meshes/hip.stl";
+  EXPECT_EQ(find(name).kind, UrdfMeshKind::missing);
+  EXPECT_EQ(mesh_in_other_case(name, urdf, ""), "../Meshes/hip.STL");
+  EXPECT_EQ(mesh_in_other_case("../meshes/hip.stl", urdf, ""), "../Meshes/hip.STL");
+  EXPECT_EQ(mesh_in_other_case("package://dog_description/meshes/knee.stl", urdf, ""), "");
+}
+
 TEST_F(UrdfMeshes, OfWindowsHaveBackslashes) {
   add("dog_description/urdf/meshes/hip.stl");
   EXPECT_EQ(find("meshes\\hip.stl").path, "meshes/hip.stl");

@@ -179,6 +179,20 @@ TEST_F(InitOfUrdf, IsNeverWrittenToAndNoTaskNamesIt) {
   EXPECT_TRUE(contains(check.err, "legwright init FILE.urdf -o robot.xml")) << check.err;
 }
 
+/// What is recommended has to work.
+TEST_F(InitOfUrdf, InThePlaceOfATaskIsToldByTheCommandThatMakesOne) {
+  for (const char* verb : {"check", "optimize"}) {
+    const Outcome told = call({verb, urdf_.string()});
+    EXPECT_EQ(told.code, 2);
+    EXPECT_TRUE(contains(told.err, "`legwright init " + urdf_.string() +
+                                       " -o dog.xml --task task.toml` writes a first one"))
+        << told.err;
+  }
+  const Outcome folder = call({"init", folder_.path().string()});
+  EXPECT_EQ(folder.code, 2);
+  EXPECT_TRUE(contains(folder.err, "name the robot's MJCF or URDF file")) << folder.err;
+}
+
 /// As CAD programs draw it. What is written is upright, and nothing is left to turn.
 TEST_F(InitOfUrdf, OneWithYUpIsTurned) {
   const RobotModel robot = parse_robot(test::strider_with_y_up(), "strider.xml");
