@@ -52,13 +52,15 @@ TEST_F(AbsurdRobots, MassesInGramsAreToldByInitAndCheck) {
   const test::Outcome init = call_at_once({"init", "robot.xml"});
   EXPECT_TRUE(test::contains(init.out + init.err, "gram")) << init.out << init.err;
   const test::Outcome check = call_at_once({"check", "task.toml"});
-  EXPECT_TRUE(test::contains(check.out + check.err, "motors too weak to stand")) << check.out << check.err;
+  EXPECT_TRUE(test::contains(check.out + check.err, "motors too weak to stand"))
+      << check.out << check.err;
 }
 
 TEST_F(AbsurdRobots, APayloadThatIsTooHeavyIsToldByCheck) {
   put(puppy(), "[payload]\nmass = 102.0\n");
   const test::Outcome check = call_at_once({"check", "task.toml"});
-  EXPECT_TRUE(test::contains(check.out + check.err, "motors too weak to stand")) << check.out << check.err;
+  EXPECT_TRUE(test::contains(check.out + check.err, "motors too weak to stand"))
+      << check.out << check.err;
 }
 
 TEST_F(AbsurdRobots, ManySitesAndManyKnotsAreCheckedAtOnce) {
