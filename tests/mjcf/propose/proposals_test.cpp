@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/proposals.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
