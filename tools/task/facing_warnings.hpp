@@ -10,8 +10,9 @@
 namespace legwright {
 
 /// Where a task has a robot face another way than the robot's file means it, a sentence each: by
-/// the names of its legs or its camera, where the task says nothing (facing_of()), and by design
-/// parameters that tie legs as mirror images across an axis along which it then walks.
+/// the names of its legs, its hips or its camera (facing_of()), where the task has it face +x, the
+/// default; and by design parameters that tie legs as mirror images across an axis along which it
+/// then walks.
 std::vector<std::string> facing_warnings(const TaskFile& task, const RobotModel& robot);
 
 }  // namespace legwright

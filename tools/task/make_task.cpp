@@ -255,9 +255,10 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
-  if (std::string why = weak_motors_text(standing_load(robot, task)); !why.empty())
+  const ServoSag sag = servo_sag(robot, task);
+  if (std::string why = weak_motors_text(sag.hardest); !why.empty())
     warnings.push_back(std::move(why));
-  else if (const ServoSag sag = servo_sag(robot, task); sag.soft() && sag.can_be_stiffer())
+  else if (sag.soft() && sag.can_be_stiffer())
     warnings.push_back(
         fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
                     "m/rad), and a planned gait is not followed well; [servos] kp = {} in the task "

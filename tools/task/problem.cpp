@@ -11,6 +11,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/design_table.hpp"
+#include "tools/task/facing_warnings.hpp"
 #include "tools/task/toml_reader.hpp"
 
 namespace legwright {
@@ -85,6 +86,14 @@ CodesignProblem make_problem(TaskSet set, RobotModel robot) {
       problem.outers.push_back(make_outer(problem.set, file, problem.robot, task));
   }
   return problem;
+}
+
+std::vector<std::string> warnings_on(const CodesignProblem& problem, int task) {
+  const Task& asked = problem.objectives[static_cast<std::size_t>(task)]->task();
+  std::vector<std::string> out = task_warnings(asked, problem.robot);
+  for (std::string& warning : facing_warnings(problem.task(task), problem.robot))
+    out.push_back(std::move(warning));
+  return out;
 }
 
 void set_outer(CodesignProblem& problem, const OwnOuter& own) {

@@ -39,6 +39,9 @@ CodesignProblem read_problem(const std::filesystem::path& task_file,
 /// The same of what is read already. Throws InputError where tasks and robot do not fit.
 CodesignProblem make_problem(TaskSet set, RobotModel robot);
 
+/// What `check` and `optimize` warn of in one of its tasks: task_warnings(), facing_warnings().
+std::vector<std::string> warnings_on(const CodesignProblem& problem, int task);
+
 /// An outer objective that is no term of the registry.
 struct OwnOuter {
   std::string name;

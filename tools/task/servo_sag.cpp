@@ -31,6 +31,10 @@ ServoSag servo_sag(const RobotModel& robot) {
     if (!servo.tendon.empty()) continue;
     const double torque = std::abs(torques[static_cast<Eigen::Index>(a)]);
     sag.torque = std::max(sag.torque, torque);
+    const StandingLoad& most = sag.hardest;
+    if (std::isfinite(servo.torque_limit) &&
+        (most.joint.empty() || torque * most.limit > most.load * servo.torque_limit))
+      sag.hardest = {servo.joint, torque, servo.torque_limit};
     if (!sag.joint.empty() && torque / servo.kp <= sag.angle) continue;
     sag.joint = servo.joint;
     sag.angle = torque / servo.kp;
@@ -41,25 +45,8 @@ ServoSag servo_sag(const RobotModel& robot) {
   return sag;
 }
 
-StandingLoad standing_load(const RobotModel& robot) {
-  const Eigen::VectorXd torques = standing_torques(robot.morphology, robot.space.initial());
-  StandingLoad most;
-  for (std::size_t a = 0; a < robot.servos.size(); ++a) {
-    const Servo& servo = robot.servos[a];
-    if (!servo.tendon.empty() || !std::isfinite(servo.torque_limit)) continue;
-    const double load = std::abs(torques[static_cast<Eigen::Index>(a)]);
-    if (!most.joint.empty() && load * most.limit <= most.load * servo.torque_limit) continue;
-    most = {servo.joint, load, servo.torque_limit};
-  }
-  return most;
-}
-
 ServoSag servo_sag(const RobotModel& robot, const Task& task) {
   return servo_sag(as_played(robot, task));
-}
-
-StandingLoad standing_load(const RobotModel& robot, const Task& task) {
-  return standing_load(as_played(robot, task));
 }
 
 std::string weak_motors_text(const StandingLoad& standing) {

@@ -13,6 +13,14 @@ namespace legwright {
 /// by up to 0.01 rad were, from half their gains on (tools/README.md).
 inline constexpr double kSoftSag = 0.015, kFirmSag = 0.01;
 
+/// Where standing still in the home pose asks most of a motor, as a share of what that can give.
+struct StandingLoad {
+  std::string joint;   // empty: no servo at a joint has a limit
+  double load = 0.0;   // [N m]
+  double limit = 0.0;  // [N m]
+  bool holds() const { return joint.empty() || load <= limit; }
+};
+
 /// How far standing still in the home pose bends the servo at a joint that gives in most, without
 /// feed-forward.
 struct ServoSag {
@@ -22,6 +30,7 @@ struct ServoSag {
   double load = 0.0;    // that it bears [N m]
   double limit = 0.0;   // what it can bear [N m]
   double torque = 0.0;  // the largest of any servo at a joint that stands [N m]
+  StandingLoad hardest = {};
   bool soft() const { return angle > kSoftSag; }
   /// Gain with which no servo sags by more than kFirmSag, two digits [N m/rad].
   double stiff_kp() const;
@@ -29,23 +38,13 @@ struct ServoSag {
   bool can_be_stiffer() const;
 };
 
-/// Where standing still in the home pose asks most of a motor, as a share of what that can give.
-struct StandingLoad {
-  std::string joint;   // empty: no servo at a joint has a limit
-  double load = 0.0;   // [N m]
-  double limit = 0.0;  // [N m]
-  bool holds() const { return joint.empty() || load <= limit; }
-};
-
 /// A positive number rounded up to two digits, as task files have gains.
 double two_digits_up(double least);
 
 /// @param robot with servos and masses as they are played
 ServoSag servo_sag(const RobotModel& robot);
-StandingLoad standing_load(const RobotModel& robot);
 /// The same of a robot as a task has it played: its payload, its motors and servos.
 ServoSag servo_sag(const RobotModel& robot, const Task& task);
-StandingLoad standing_load(const RobotModel& robot, const Task& task);
 
 /// Motors that do not hold the robot, which no gain mends; empty where they do.
 std::string weak_motors_text(const StandingLoad& standing);

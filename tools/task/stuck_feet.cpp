@@ -70,8 +70,7 @@ std::string stuck_foot_text(const RobotModel& robot) {
     const bool one = joints.size() == 1;
     return fmt::format(
         "foot '{}' cannot be lifted: of its leg only {} {}, which {} not lift it; coupled joints "
-        "are "
-        "held in the home pose: remove what couples one that lifts the foot",
+        "are held in the home pose: remove what couples one that lifts the foot",
         foot.name, fmt::join(joints, ", "), one ? "moves" : "move", one ? "does" : "do");
   }
   return "";

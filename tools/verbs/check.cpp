@@ -10,7 +10,6 @@
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/files/json_file.hpp"
-#include "tools/task/facing_warnings.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/verbs/check_keys.hpp"
@@ -55,9 +54,7 @@ std::vector<Finding> find(const CheckOptions& options) {
     Finding found{problem.task(k),     robot, problem.objectives[k]->task(), {}, {},
                   outer_of(problem, k)};
     found.stride = stride_bound(found.task, robot);
-    found.warnings = task_warnings(found.task, robot);
-    for (std::string& warning : facing_warnings(found.file, robot))
-      found.warnings.push_back(std::move(warning));
+    found.warnings = warnings_on(problem, k);
     all.push_back(std::move(found));
   }
   return all;
@@ -187,10 +184,10 @@ std::string demands_text(const Finding& found) {
   if (task.torque_limit)
     text += fmt::format("motors  no more than {} N m each\n", *task.torque_limit);
   const ServoSag sag = servo_sag(found.robot, task);
-  if (const StandingLoad load = standing_load(found.robot, task); !load.holds())
+  if (!sag.hardest.holds())
     text +=
         fmt::format("servos  standing takes {:.2g} N m of joint '{}', whose motor gives {:.3g}\n",
-                    load.load, load.joint, load.limit);
+                    sag.hardest.load, sag.hardest.joint, sag.hardest.limit);
   else if (!sag.joint.empty())
     text += fmt::format(
         "servos  {}standing bends joint '{}' the most, by {:.2g} rad at kp {:.4g} N m/rad\n",

@@ -219,7 +219,8 @@ std::string table_of(const std::vector<Proposal>& proposals) {
 /// What keeps the robot from standing in its home pose.
 std::string standing_notes(const ProposedParameters& found) {
   std::string text;
-  for (const std::string& note : {weak_motors_text(standing_load(found.model)), found.not_standing})
+  for (const std::string& note :
+       {weak_motors_text(servo_sag(found.model).hardest), found.not_standing})
     if (!note.empty()) text += "  " + note + "\n";
   return text;
 }

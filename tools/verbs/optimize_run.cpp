@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/optimize_run.hpp"
-#include "tools/task/facing_warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -225,14 +224,9 @@ void check_options(const OptimizeOptions& options, const CodesignProblem& proble
 }
 
 void tell_warnings(const CodesignProblem& problem, const RunFollower& follower) {
-  for (int k = 0; k < problem.task_count(); ++k) {
-    const Task& task = problem.objectives[static_cast<std::size_t>(k)]->task();
-    std::vector<std::string> warnings = task_warnings(task, problem.robot);
-    for (std::string& warning : facing_warnings(problem.task(k), problem.robot))
-      warnings.push_back(std::move(warning));
-    for (const std::string& warning : warnings)
-      follower.warn((problem.set.joint() ? task.name + ": " : "") + warning);
-  }
+  for (int k = 0; k < problem.task_count(); ++k)
+    for (const std::string& warning : warnings_on(problem, k))
+      follower.warn((problem.set.joint() ? problem.task(k).name + ": " : "") + warning);
 }
 
 void check_not_in_run(const std::filesystem::path& root, const RobotFiles& files) {

@@ -109,11 +109,11 @@ TEST(StarterTask, WeakMotorsAreReportedInsteadOfPlayedStiffer) {
 
 TEST(StarterTask, MotorsThatCannotHoldTheRobotAreTold) {
   RobotModel model = robot("servo_dog");
-  const StandingLoad strong = standing_load(model);
+  const StandingLoad strong = servo_sag(model).hardest;
   EXPECT_TRUE(strong.holds());
   EXPECT_EQ(weak_motors_text(strong), "");
   for (Servo& servo : model.servos) servo.torque_limit = 0.5 * strong.load;
-  const StandingLoad weak = standing_load(model);
+  const StandingLoad weak = servo_sag(model).hardest;
   EXPECT_FALSE(weak.holds());
   EXPECT_EQ(weak.joint, strong.joint);
   const Task task =

@@ -16,7 +16,8 @@ TEST(ShellWord, QuotesOnlyWhatNeedsIt) {
   EXPECT_EQ(shell_word(""), "''");
 }
 
-TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
+/// A body that was found.
+RunRecord found_run() {
   RunRecord run;
   run.robot = "puppy";
   run.task.emplace().name = "walk";
@@ -30,6 +31,11 @@ TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
   run.peak_rss_mib = 100.0;
   run.reasons.emplace();
   run.feasible = true;
+  return run;
+}
+
+TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
+  RunRecord run = found_run();
   run.seconds = {{"total", 1.2},      {"motion", 1.0}, {"adjoint", 0.1},
                  {"predictor", 0.05}, {"files", 0.2},  {"command", 6.25},
                  {"reading", 0.5},    {"search", 1.5}, {"certificate", 4.25}};
@@ -55,15 +61,9 @@ TEST(OptimizeSummary, TellsTheWholeCommandAndItsParts) {
 }
 
 TEST(OptimizeSummary, OfAStoppedSearchTellsHowItGoesOn) {
-  RunRecord run;
-  run.robot = "puppy";
-  run.task.emplace().name = "walk";
+  RunRecord run = found_run();
   run.status = "interrupted";
-  run.motion_only = false;
-  run.design_iterations = run.newton_iterations = 0;
-  run.motion_only_F = run.final_F = 2.0;
-  run.speed_reached = run.speed_wanted = 0.1;
-  run.peak_rss_mib = 100.0;
+  run.final_F = run.motion_only_F;
   run.reasons = std::vector<std::string>{"a foot slips"};
   run.feasible = false;
   const std::string text = optimize_summary(run, "runs/a");
