@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/mjcf_words.hpp"
+#include "mjcf/text/nearest_word.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/text/size_limits.hpp"
 #include "mjcf/text/written_out.hpp"
@@ -127,7 +129,8 @@ void check_has_free_joint(const XmlFile& xml) {
   int hinged = 0;
   const XmlElement* first_body = nullptr;
   for_each_element(xml.root(), [&](const XmlElement& element) {
-    found = found || is_tag(element, "freejoint") ||
+    // One with a slip in its name is told as that.
+    found = found || slip_of(element.Name(), {"freejoint"}) == "freejoint" ||
             (is_tag(element, "joint") && attribute(element, "type") == "free");
     if (!first_body && is_tag(element, "body")) first_body = &element;
     hinged += is_hinged_to_the_world(element);
@@ -214,6 +217,8 @@ void check_text(const XmlFile& xml, Refusals& reasons) {
   for_each_element(xml.root(), [&](const XmlElement& element) {
     collect([&] { check_element(xml, element); });
   });
+  const Refusals words = unknown_words(xml);
+  for (const InputError& fault : words.all()) collect([&] { throw fault; });
   collect([&] { check_has_free_joint(xml); });
   if (!is_readable) reasons.throw_if_any();
 }

@@ -17,6 +17,7 @@
 #include "mjcf/read/tree.hpp"
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/mjcf_words.hpp"
 
 namespace legwright {
 namespace {
@@ -57,10 +58,11 @@ auto together_with(Refusals& reasons, const Work& work) {
 }
 
 /// What else stands against a robot in whose text there are faults already, as far as these leave
-/// it to be read: decimal commas are taken for points.
+/// it to be read: decimal commas are taken for points, slips in words for what is meant.
 void add_structure_faults(const XmlFile& xml, const Structure* known, Refusals& reasons) {
   try {
-    const auto mended = load_xml(with_decimal_points(xml), xml.file);
+    const auto words = load_xml(with_known_words(xml), xml.file);
+    const auto mended = load_xml(with_decimal_points(*words), xml.file);
     Refusals names;  // of the scene: told already
     check_text(*mended, names);
     const ModelPointer model = compile_mjcf(mended->text, xml.file);

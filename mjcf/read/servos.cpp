@@ -59,14 +59,22 @@ void refuse_dropped_settings(const XmlFile& xml, const mjModel& model, int actua
          "has dynamics of its own (dyntype, an integral or a slew limit)");
 }
 
-void refuse_muscle(const mjModel& model, int actuator, const XmlFile& xml,
-                   const XmlElement& element) {
-  if (model.actuator_dyntype[actuator] == mjDYN_MUSCLE ||
-      model.actuator_gaintype[actuator] == mjGAIN_MUSCLE)
-    throw xml.error(element,
-                    "is a muscle: it only pulls, as hard as its length, speed and activation let "
-                    "it, and the gait's servos are none of that; drive each hinge by <position> or "
-                    "<motor> in the place of muscles");
+bool is_muscle(const mjModel& model, int actuator) {
+  return model.actuator_dyntype[actuator] == mjDYN_MUSCLE ||
+         model.actuator_gaintype[actuator] == mjGAIN_MUSCLE;
+}
+
+/// Robots of muscles have dozens: one reason for all of them.
+void refuse_muscles(const std::vector<int>& muscles, const XmlFile& xml,
+                    const SectionElements& elements, Refusals& reasons) {
+  if (muscles.empty()) return;
+  const std::size_t more = muscles.size() - 1;
+  reasons.add(xml.error(
+      elements[muscles.front()],
+      fmt::format("is a muscle{}: it only pulls, as hard as its length, speed and activation let "
+                  "it, and the gait's servos are none of that; drive each hinge by <position> or "
+                  "<motor> in the place of muscles",
+                  more == 0 ? "" : fmt::format(", and so are {} more", more))));
 }
 
 /// The joint that an actuator drives through a fixed tendon over nothing else; −1 for others.
@@ -204,16 +212,18 @@ std::string driven_joint(const mjModel& model, const Morphology& morphology, int
 /// A tendon without actuator would be a cable that the planner does not know.
 void check_each_tendon_drives(const XmlFile& xml, const Morphology& morphology,
                               const std::vector<Servo>& servos) {
+  Refusals reasons;
   for (const LinearActuator& actuator : morphology.linear_actuators) {
     const std::string& name = actuator.name;
     const bool drives = std::any_of(servos.begin(), servos.end(),
                                     [&](const Servo& servo) { return servo.tendon == name; });
     if (!drives)
-      throw InputError(xml.file.string(), 0, fmt::format("tendon '{}'", name),
-                       fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
-                                   "forcerange=/>, or remove it",
-                                   name));
+      reasons.add(InputError(xml.file.string(), 0, fmt::format("tendon '{}'", name),
+                             fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
+                                         "forcerange=/>, or remove it",
+                                         name)));
   }
+  reasons.throw_if_any();
 }
 
 /// Moment arm of an actuator in the home pose [m]; one for a servo at its joint [-].
@@ -239,24 +249,48 @@ InputError without_actuator(const XmlFile& xml, const mjModel& model, const std:
                               what, joint));
 }
 
+/// The actuator of each joint by its name, of those that move limbs.
+std::map<std::string, int> actuators_of_joints(const XmlFile& xml, const mjModel& model,
+                                               const Structure& structure,
+                                               const Morphology& morphology,
+                                               const SectionElements& elements) {
+  std::map<std::string, int> out;
+  Refusals reasons;
+  std::vector<int> muscles;
+  const auto take = [&](int actuator) {
+    const XmlElement& element = elements[actuator];
+    const std::string name = driven_joint(model, morphology, actuator);
+    if (name.empty())
+      throw xml.error(element,
+                      "drives no hinge of a limb; the gait plays on servos at hinges and on "
+                      "tendons between two links only, remove it");
+    if (!out.emplace(name, actuator).second)
+      throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
+  };
+  for (int a = 0; a < model.nactuator; ++a) {
+    if (drives_held(model, structure, a)) continue;
+    if (is_muscle(model, a)) {
+      muscles.push_back(a);
+      continue;
+    }
+    try {
+      take(a);
+    } catch (const InputError& error) {
+      reasons.add(error);
+    }
+  }
+  refuse_muscles(muscles, xml, elements, reasons);
+  reasons.throw_if_any();
+  return out;
+}
+
 }  // namespace
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
                                const Morphology& morphology, const Eigen::VectorXd& s) {
   const SectionElements elements(xml, "actuator");
-  std::map<std::string, int> actuator_of;
-  for (int a = 0; a < model.nactuator; ++a) {
-    if (drives_held(model, structure, a)) continue;
-    const XmlElement& element = elements[a];
-    refuse_muscle(model, a, xml, element);
-    const std::string name = driven_joint(model, morphology, a);
-    if (name.empty())
-      throw xml.error(element,
-                      "drives no hinge of a limb; the gait plays on servos at hinges and on "
-                      "tendons between two links only, remove it");
-    if (!actuator_of.emplace(name, a).second)
-      throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
-  }
+  const std::map<std::string, int> actuator_of =
+      actuators_of_joints(xml, model, structure, morphology, elements);
   std::vector<Servo> servos;
   Refusals reasons;
   for (int a = 0; a < morphology.joint_count(); ++a) {

@@ -10,6 +10,7 @@
 #include "mjcf/text/engine_limits.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/mesh_hulls.hpp"
+#include "mjcf/text/mjcf_words.hpp"
 #include "mjcf/text/recent_models.hpp"
 
 namespace legwright {
@@ -66,7 +67,7 @@ InputError refusal(const std::filesystem::path& file, std::string message) {
     if (c == '\n') c = ' ';
   while (!message.empty() && message.back() == ' ') message.pop_back();
   return InputError(file.string(), line_in(message), "MuJoCo",
-                    message + "; mend the file so that MuJoCo opens it without Legwright");
+                    message + "; " + cure_of_refusal(message));
 }
 
 template <class Visit>

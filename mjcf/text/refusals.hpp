@@ -22,9 +22,10 @@ class Refusals {
   bool empty() const { return reasons_.empty(); }
   const std::vector<InputError>& all() const { return reasons_; }
   /// Throws one InputError with all reasons, if there are some, in the order of the file; those
-  /// without a line come last.
+  /// without a line come last. A single reason is thrown as it is.
   void throw_if_any() const {
     if (reasons_.empty()) return;
+    if (reasons_.size() == 1) throw InputError(reasons_.front());
     std::vector<InputError> sorted = reasons_;
     std::stable_sort(sorted.begin(), sorted.end(), [](const InputError& a, const InputError& b) {
       return b.line() <= 0 ? a.line() > 0 : a.line() > 0 && a.line() < b.line();

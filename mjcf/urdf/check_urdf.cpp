@@ -44,20 +44,20 @@ bool is_tiny(std::string_view word) {
 std::string fault_of_numbers(const UrdfAttribute& expected, const char* text) {
   const std::vector<std::string_view> words = split_words(text);
   if (words.empty()) return "";  // as if it were not there
-  bool positive = true;
+  bool negative = false;
   for (const std::string_view word : words) {
     const auto number = parse_number(word);
     const bool endless = expected.range == UrdfAttribute::Range::any && is_endless(word);
     if (!number && !endless && !is_tiny(word)) return explain_bad_number(word);
-    positive = positive && number.value_or(1.0) > 0.0;
+    negative = negative || number.value_or(1.0) < 0.0;
   }
   const auto wanted = static_cast<std::size_t>(expected.numbers);
   if (words.size() != wanted)
     return fmt::format("'{}' has {} number{}, expected {}{}", std::string_view(text).substr(0, 80),
                        words.size(), words.size() == 1 ? "" : "s", wanted,
                        wanted > 1 ? " with blanks between" : "");
-  if (expected.range == UrdfAttribute::Range::positive && !positive)
-    return fmt::format("'{}' is not above 0; write the length in metres", text);
+  if (expected.range == UrdfAttribute::Range::length && negative)
+    return fmt::format("'{}' is below 0; write the length in metres", text);
   return "";
 }
 

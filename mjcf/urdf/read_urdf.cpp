@@ -17,6 +17,7 @@
 #include "mjcf/text/xml.hpp"
 #include "mjcf/urdf/check_urdf.hpp"
 #include "mjcf/urdf/check_urdf_tree.hpp"
+#include "mjcf/urdf/empty_shapes.hpp"
 #include "mjcf/urdf/missing_meshes.hpp"
 #include "mjcf/urdf/mjcf_of_spec.hpp"
 #include "mjcf/urdf/speed_limits.hpp"
@@ -73,6 +74,7 @@ class UrdfEdits {
          link = link->NextSiblingElement("link"))
       for (const char* shape : {"visual", "collision"}) edit_shapes(*link, shape);
     tell_meshes();
+    empty_.tell(out_.notes);
     tell_empty_ranges(root);
     if (repeated_material_)
       out_.notes.emplace_back("shapes with several <material> have the first of them");
@@ -120,12 +122,17 @@ class UrdfEdits {
   void edit_shapes(XmlElement& link, const char* kind) {
     for (XmlElement* shape = link.FirstChildElement(kind); shape != nullptr;) {
       XmlElement* const next = shape->NextSiblingElement(kind);
+      const bool only_seen = kind == std::string_view("visual");
       keep_first_material(*shape);
+      if (empty_.mend(*shape, link, only_seen)) {
+        link.DeleteChild(shape);
+        shape = next;
+        continue;
+      }
       XmlElement* const geometry = shape->FirstChildElement("geometry");
       XmlElement* const mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
       const char* const name = mesh ? mesh->Attribute("filename") : nullptr;
       if (name != nullptr) {
-        const bool only_seen = kind == std::string_view("visual");
         if (const std::string path = path_of_mesh(name, link, only_seen); path.empty())
           link.DeleteChild(shape);
         else
@@ -212,6 +219,7 @@ class UrdfEdits {
   MeshSources& meshes_;
   MjcfOfUrdf& out_;
   bool repeated_material_ = false;
+  EmptyShapes empty_;
   std::map<std::string, std::string> path_of_stem_;
   std::map<std::string, std::set<std::string>> left_out_;  // by why
   std::map<UrdfMeshKind, std::set<std::string>> names_;

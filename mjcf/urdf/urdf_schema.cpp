@@ -8,12 +8,12 @@ namespace {
 
 constexpr auto kRequired = UrdfAttribute::Need::required;
 constexpr auto kOptional = UrdfAttribute::Need::optional;
-constexpr auto kPositive = UrdfAttribute::Range::positive;
+constexpr auto kLength = UrdfAttribute::Range::length;
 constexpr auto kAnyRange = UrdfAttribute::Range::any;
 
 UrdfAttribute needed_number(const char* name) { return {name, 1, kRequired}; }
 UrdfAttribute needed_text(const char* name) { return {name, 0, kRequired}; }
-UrdfAttribute length_above_zero(const char* name) { return {name, 1, kRequired, kPositive}; }
+UrdfAttribute needed_length(const char* name) { return {name, 1, kRequired, kLength}; }
 /// Exporters write limits of infinity.
 UrdfAttribute limit_of_joint(const char* name) { return {name, 1, kOptional, kAnyRange}; }
 
@@ -63,10 +63,10 @@ const std::vector<UrdfElement>& urdf_schema() {
       {"parent", {needed_text("link")}, {}, {}, {}},
       {"child", {needed_text("link")}, {}, {}, {}},
       {"mesh", {needed_text("filename"), {"scale", 3}}, {}, {}, {}},
-      {"box", {{"size", 3, kRequired, kPositive}}, {}, {}, {}},
-      {"sphere", {length_above_zero("radius")}, {}, {}, {}},
-      {"cylinder", {length_above_zero("radius"), length_above_zero("length")}, {}, {}, {}},
-      {"capsule", {length_above_zero("radius"), length_above_zero("length")}, {}, {}, {}},
+      {"box", {{"size", 3, kRequired, kLength}}, {}, {}, {}},
+      {"sphere", {needed_length("radius")}, {}, {}, {}},
+      {"cylinder", {needed_length("radius"), needed_length("length")}, {}, {}, {}},
+      {"capsule", {needed_length("radius"), needed_length("length")}, {}, {}, {}},
   };
   return kSchema;
 }

@@ -12,7 +12,7 @@ struct UrdfAttribute {
   std::string name;
   int numbers;  // how many it holds; 0: a text
   enum class Need { optional, required } need = Need::optional;
-  enum class Range { finite, positive, any } range = Range::finite;
+  enum class Range { finite, length, any } range = Range::finite;
 };
 
 /// An element of a URDF: what is read of it, and words of others that are near to these.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/nearest_word.hpp"
@@ -34,6 +35,14 @@ std::string type_name(const toml::node& node) {
 bool inside(double value, const Range& range) {
   return (range.low_open ? value > range.low : value >= range.low) &&
          (range.high_open ? value < range.high : value <= range.high);
+}
+
+/// Of an angle outside of its range that would be within if it were meant in degrees.
+std::string degrees_text(double value, const Range& range) {
+  const double angle = value * std::numbers::pi / 180.0;
+  if (!range.unit.starts_with("rad") || !inside(angle, range)) return "";
+  return fmt::format("; {} degrees{} are {:.4g} {}", value, range.unit.substr(3), angle,
+                     range.unit);
 }
 
 int line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
@@ -99,7 +108,9 @@ std::optional<double> TableReader::checked(const toml::node& found, const std::s
     return std::nullopt;
   }
   if (!std::isfinite(*value) || !inside(*value, range)) {
-    problems_.add(line(found), name, fmt::format("is {}; expected {}", *value, expected));
+    problems_.add(
+        line(found), name,
+        fmt::format("is {}; expected {}{}", *value, expected, degrees_text(*value, range)));
     return std::nullopt;
   }
   return value;

@@ -63,6 +63,23 @@ TEST(Refusals, FaultsOfAllKindsAreToldInOneList) {
     EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
 }
 
+TEST(Refusals, AllActuatorsThatAreNoServosAreToldAtOnceMusclesAsOne) {
+  std::string xml = test::with(test::named_robot("puppy"), "<freejoint name=\"root\"/>",
+                               "<freejoint name=\"root\"/><site name=\"eye\"/>");
+  const auto replaced = [&](const std::string& joint, const std::string& by) {
+    const std::size_t at = xml.rfind("<position", xml.find("joint=\"" + joint + "\""));
+    ASSERT_NE(at, std::string::npos);
+    xml.replace(at, xml.find("/>", at) + 2 - at, by);
+  };
+  replaced("FL_hip", "<muscle joint=\"FL_hip\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>");
+  replaced("FL_knee", "<muscle joint=\"FL_knee\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>");
+  replaced("FL_ankle", "<motor site=\"eye\"/><position joint=\"FR_hip\" kp=\"1\"/>");
+  const std::string all = error_message(xml);
+  for (const char* part : {"is a muscle, and so are 1 more", "drives no hinge", "second actuator"})
+    EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2) << all;
+}
+
 TEST(Refusals, MeshesInMillimetresAreToldOnce) {
   const std::string told = error_message(
       test::with(test::mesh_quadruped(), "scale=\"0.001 0.001 0.001\"", "scale=\"1 1 1\""));

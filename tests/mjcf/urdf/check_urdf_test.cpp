@@ -64,7 +64,7 @@ TEST(CheckUrdf, NumbersThatAreNoneAreToldWithTheirLine) {
       {"radius=\"0.02\"", "radius=\"0 1\"",
        "31: link 'toe': attribute radius of <sphere>: '0 1' has 2 numbers, expected 1"},
       {"radius=\"0.02\"", "radius=\"-1\"",
-       "31: link 'toe': attribute radius of <sphere>: '-1' is not above 0; write the length in "
+       "31: link 'toe': attribute radius of <sphere>: '-1' is below 0; write the length in "
        "metres"},
       {"<axis xyz=\"0 1 0\"/>\n    <limit lower", "<axis xyz=\"0 0 0\"/>\n    <limit lower",
        "19: joint 'hip': attribute xyz of <axis>: '0 0 0' has no direction; write the one in which "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mjcf/urdf/read_urdf.hpp"
 
@@ -10,6 +11,12 @@ namespace legwright::test {
 
 inline bool tells(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+inline std::string joined(const std::vector<std::string>& notes) {
+  std::string out;
+  for (const std::string& note : notes) out += note + "\n";
+  return out;
 }
 
 inline const char* const kHead = R"(<?xml version="1.0"?>

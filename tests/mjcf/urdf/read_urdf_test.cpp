@@ -79,6 +79,24 @@ TEST(ReadUrdf, TellsWhatItMended) {
       << hopper.notes[3];
 }
 
+/// Exporters write shapes of size zero, which MuJoCo refuses: as points of contact, and for nothing.
+TEST(ReadUrdf, ShapesOfSizeZeroAreBallsOrLeftOut) {
+  std::string urdf = test::with(kHopper, "<sphere radius=\"0.02\"/>", "<sphere radius=\"0.0\"/>");
+  urdf = test::with(urdf, "<visual><geometry><box size=\"0.2 0.1 0.04\"/>",
+                    "<visual><geometry><box size=\"0 0 0\"/>");
+  urdf = test::with(urdf, "<link name=\"thigh_plate\"/>",
+                    "<link name=\"thigh_plate\"><collision><geometry>"
+                    "<cylinder radius=\"0.1\" length=\"0\"/></geometry></collision></link>");
+  const MjcfOfUrdf hopper = made(urdf);
+  const ModelPointer model = compile_mjcf(hopper.text, "hopper.xml");
+  ASSERT_EQ(model->ngeom, 2) << hopper.text;
+  const int toe = mj_name2id(model.get(), mjOBJ_BODY, "toe");
+  EXPECT_EQ(model->geom_size[std::ptrdiff_t{3} * model->body_geomadr[toe]], 0.001);
+  const std::string told = test::joined(hopper.notes);
+  EXPECT_TRUE(tells(told, "are balls of a millimetre: of toe")) << told;
+  EXPECT_TRUE(tells(told, "as their size is zero: shapes of trunk, thigh_plate")) << told;
+}
+
 TEST(ReadUrdf, SpeedLimitsAreThoseOfMotorsAndComeBack) {
   const std::string urdf =
       test::with(kHopper, "effort=\"6\" velocity=\"20\"", "effort=\"6\" velocity=\"1.5\"");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program killed at its n-th call to the file system, or told there that the disk is broken or
 // full: what it writes is as before or new and whole, errors are told, and the same command then
-// works and leaves nothing but its results. For every n with LEGWRIGHT_LONG_TESTS=1 (some minutes),
-// else for some of them.
+// works and leaves nothing but its results. For every n with LEGWRIGHT_LONG_TESTS=1 (some minutes,
+// but for export with its picture each fifth), else for some of them.
 #include <algorithm>
 #include <cstdlib>
 
@@ -14,8 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls that are tried, for each way to fail; fewer where a picture is drawn, which takes long.
-long tried(const std::string& name) { return name == "export" ? 2 : 5; }
+/// From one call that is tried to the next, for each way to fail; farther where a picture is drawn,
+/// which takes seconds.
+long step_of(const std::string& name, long calls) {
+  const bool draws = name == "export";
+  if (test::long_tests()) return draws ? 5 : 1;
+  return std::max(1L, calls / (draws ? 2 : 5));
+}
 
 class FileFaults : public FaultFolder {
  protected:
@@ -40,7 +45,7 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
   const Tree fresh = tree(undisturbed);
   ASSERT_GT(calls, 2);
   ASSERT_NE(fresh, old_) << "else nothing is tested";
-  const long step = test::long_tests() ? 1 : std::max(1L, calls / tried(GetParam().name));
+  const long step = step_of(GetParam().name, calls);
   long done = 0;
   for (const char* how : {"kill", "EIO", "ENOSPC"})
     for (long at = 1 + (how[0] + how[1]) % step; at <= calls; at += step) {

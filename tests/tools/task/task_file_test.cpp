@@ -8,6 +8,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tests/support/source_tree.hpp"
+#include "tests/support/text.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 
@@ -89,6 +90,16 @@ TEST(TaskFile, CommentsInTheExampleNameRealKeys) {
   EXPECT_EQ(own.foot_heights.at("FL").values.size(), 3u);
   EXPECT_EQ(own.joint_angles.at("FL_knee").weight, 0.5);
   EXPECT_EQ(own.margins.dynamics, Dynamics::constant_inertia);
+}
+
+TEST(TaskFile, TellsAnglesThatMayBeMeantInDegrees) {
+  const std::string start = "robot = \"robot.xml\"\n[gait]\nname = \"walk\"\nperiod = 1\n";
+  const auto told = [&](const std::string& more) { return error_message(start + more); };
+  EXPECT_TRUE(
+      in_order(told("[ground]\nslope_along = 10\n"), {"<= 1 rad; 10 degrees are 0.1745 rad"}));
+  EXPECT_TRUE(in_order(told("[travel]\nvelocity = [0, 0]\nturn_rate = -45\n"),
+                       {"<= 10 rad/s; -45 degrees/s are -0.7854 rad/s"}));
+  EXPECT_EQ(told("[ground]\nslope_along = 100\n").find("degrees"), std::string::npos);
 }
 
 TEST(TaskFile, SaysEverythingThatIsWrongAtOnceInTheOrderOfTheFile) {

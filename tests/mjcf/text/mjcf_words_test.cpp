@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mjcf/text/mjcf_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mjcf/read/read_robot.hpp"
+#include "mjcf/text/compile.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+#include "tests/support/text.hpp"
+#include "tests/tools/files/temporary_folder.hpp"
+
+namespace legwright {
+namespace {
+
+/// What the puppy is refused with after a change.
+std::string told_of_puppy(const std::string& old_part, const std::string& new_part) {
+  try {
+    parse_robot(test::with(test::read_file(test::puppy_file()), old_part, new_part), "robot.xml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(MjcfWords, KnowThoseOfEachRobot) {
+  for (const auto& file : test::taken_robots())
+    EXPECT_TRUE(unknown_words(*load_xml(test::read_file(file), file)).empty()) << file;
+}
+
+TEST(MjcfWords, ThatAreUnknownAreToldAllAtOnceWithThoseMeant) {
+  std::string xml = test::read_file(test::puppy_file());
+  xml = test::with(xml, "<joint type=\"hinge\" axis", "<joint type=\"hinge\" axs");
+  xml =
+      test::with(xml, "<geom type=\"capsule\" size=\"0.025\"", "<goem type=\"capsule\" size=\"1\"");
+  xml = test::with(xml, "<material name=\"lid\"", "<paint name=\"lid\"");
+  try {
+    parse_robot(xml, "robot.xml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(in_order(
+        error.what(),
+        {"robot.xml:18: joint: attribute axs", "did you mean 'axis'?", "robot.xml:21: goem",
+         "did you mean 'geom'?", "robot.xml:40: paint 'lid'", "no element of MJCF; remove"}));
+  }
+}
+
+TEST(MjcfWords, HideNothingElseThatIsWrong) {
+  std::string xml = test::read_file(test::puppy_file());
+  xml =
+      test::with(xml, "<geom type=\"capsule\" size=\"0.025\"", "<goem type=\"capsule\" sise=\"1\"");
+  xml = test::with(xml, "<joint type=\"hinge\" axis", "<joint type=\"hinge\" colour=\n\"a\" axs");
+  xml = test::with(xml, "class=\"foot\"", "class=\"feet\"");
+  const auto read = load_xml(xml, "robot.xml");
+  EXPECT_EQ(count_of(with_known_words(*read), "\n"), count_of(xml, "\n"));
+  EXPECT_EQ(unknown_words(*load_xml(with_known_words(*read), "robot.xml")).all().size(), 0u);
+  try {
+    parse_robot(xml, "robot.xml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(in_order(error.what(), {"colour", "'axis'?", "'geom'?", "foot"}));
+  }
+}
+
+TEST(MjcfWords, ASlipInTheFreeJointIsNoRobotWithoutOne) {
+  EXPECT_TRUE(in_order(told_of_puppy("<freejoint", "<freejoin"),
+                       {"freejoin", "did you mean 'freejoint'?"}));
+}
+
+TEST(MjcfWords, OfAKnownWordInTheWrongPlaceMujocoTells) {
+  EXPECT_TRUE(
+      in_order(told_of_puppy("<material name=\"lid\"", "<geom name=\"lid\""),
+               {"robot.xml:40: MuJoCo: ", "Schema violation", "opens it without Legwright"}));
+}
+
+TEST(CureOfRefusal, TellsWhatMeshesAreRead) {
+  const test::TemporaryFolder folder;
+  for (const auto& [name, text] : {std::pair{"a.stl", "solid a\nendsolid a\n"},
+                                   {"a.msh", "abc"},
+                                   {"a.ply", "ply\nformat ascii 1.0\n"}}) {
+    test::put(folder.path() / name, text);
+    const std::string xml = std::string("<mujoco><asset><mesh file=\"") + name +
+                            "\"/></asset><worldbody><body><freejoint/><geom type=\"mesh\" "
+                            "mesh=\"a\"/></body></worldbody></mujoco>";
+    try {
+      compile_mjcf(xml, folder.path() / "robot.xml");
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(in_order(error.what(), {name, "as a binary STL", "or as OBJ"}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace legwright
