@@ -38,7 +38,7 @@ void refuse_dropped_settings(const XmlFile& xml, const mjModel& model, int actua
       throw xml.error(element,
                       fmt::format("{}, which the gait's servos do not have; remove it", what));
   };
-  const mjtNum* poly = model.actuator_dampingpoly + mjNPOLY * actuator;
+  const mjtNum* poly = model.actuator_dampingpoly + std::ptrdiff_t{mjNPOLY} * actuator;
   const bool damps = model.actuator_damping[actuator] != 0.0 ||
                      std::any_of(poly, poly + mjNPOLY, [](mjtNum x) { return x != 0.0; });
   if (model.actuator_armature[actuator] != 0.0)
@@ -80,7 +80,7 @@ void refuse_muscles(const std::vector<int>& muscles, const XmlFile& xml,
 /// The joint that an actuator drives through a fixed tendon over nothing else; −1 for others.
 int joint_through_tendon(const mjModel& model, int actuator) {
   return model.actuator_trntype[actuator] == mjTRN_TENDON
-             ? lone_joint(model, model.actuator_trnid[2 * actuator])
+             ? lone_joint(model, model.actuator_trnid[std::ptrdiff_t{2} * actuator])
              : -1;
 }
 
@@ -88,18 +88,19 @@ int joint_through_tendon(const mjModel& model, int actuator) {
 double tendon_gear(const mjModel& model, int actuator) {
   return joint_through_tendon(model, actuator) < 0
              ? 1.0
-             : model.wrap_prm[model.tendon_adr[model.actuator_trnid[2 * actuator]]];
+             : model.wrap_prm[model.tendon_adr[model.actuator_trnid[std::ptrdiff_t{2} * actuator]]];
 }
 
 /// What limits the actuator's force besides its own forcerange, at its joint or tendon.
 double outer_limit(const mjModel& model, int actuator) {
-  const int t = model.actuator_trnid[2 * actuator], joint = joint_through_tendon(model, actuator);
+  const int t = model.actuator_trnid[std::ptrdiff_t{2} * actuator],
+            joint = joint_through_tendon(model, actuator);
   const auto of_joint = [&](int j) {
-    return symmetric(model.jnt_actfrclimited[j], model.jnt_actfrcrange + 2 * j);
+    return symmetric(model.jnt_actfrclimited[j], model.jnt_actfrcrange + std::ptrdiff_t{2} * j);
   };
   if (model.actuator_trntype[actuator] != mjTRN_TENDON) return of_joint(t);
   const double of_tendon =
-      symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + 2 * t);
+      symmetric(model.tendon_actfrclimited[t], model.tendon_actfrcrange + std::ptrdiff_t{2} * t);
   return joint < 0 ? of_tendon
                    : std::min(std::abs(tendon_gear(model, actuator)) * of_tendon, of_joint(joint));
 }
@@ -108,25 +109,26 @@ double outer_limit(const mjModel& model, int actuator) {
 /// has.
 Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const XmlElement& element,
                  const std::string& joint, double full_force_error) {
-  const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
-  const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
-  const double gear =
-      model.actuator_gear[6 * model.actuator_outadr[actuator]] * tendon_gear(model, actuator);
+  const mjtNum* gain = model.actuator_gainprm + std::ptrdiff_t{mjNGAIN} * actuator;
+  const mjtNum* bias = model.actuator_biasprm + std::ptrdiff_t{mjNBIAS} * actuator;
+  const double gear = model.actuator_gear[std::ptrdiff_t{6} * model.actuator_outadr[actuator]] *
+                      tendon_gear(model, actuator);
   if (!(std::abs(gear) > 1e-9))
     throw xml.error(
         element, "attribute gear (or the tendon's coef): is zero, so the actuator drives nothing");
   refuse_dropped_settings(xml, model, actuator, element);
   Servo servo{name_of(model, mjOBJ_ACTUATOR, actuator), joint, 0.0, 0.0, 0.0, ""};
   if (servo.actuator.empty()) servo.actuator = joint;
-  servo.torque_limit = std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],
-                                                  model.actuator_forcerange + 2 * actuator);
+  servo.torque_limit =
+      std::abs(gear) * symmetric(model.actuator_forcelimited[actuator],
+                                 model.actuator_forcerange + std::ptrdiff_t{2} * actuator);
   servo.torque_limit = std::min(servo.torque_limit, outer_limit(model, actuator));
   const bool is_fixed_gain = model.actuator_gaintype[actuator] == mjGAIN_FIXED;
   const bool is_pid = model.actuator_gaintype[actuator] == mjGAIN_PID && bias[1] < 0.0;
   const bool is_position =
       model.actuator_biastype[actuator] == mjBIAS_AFFINE &&
       (is_pid || (is_fixed_gain && gain[0] > 0.0 && std::abs(bias[1] + gain[0]) <= 1e-9 * gain[0]));
-  if (lags(model, actuator)) servo.lag = model.actuator_dynprm[mjNDYN * actuator];
+  if (lags(model, actuator)) servo.lag = model.actuator_dynprm[std::ptrdiff_t{mjNDYN} * actuator];
   servo.integrates = model.actuator_dyntype[actuator] == mjDYN_INTEGRATOR;
   if (servo.integrates && !is_position)
     throw xml.error(
@@ -144,8 +146,9 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
   } else if (is_fixed_gain && model.actuator_biastype[actuator] == mjBIAS_NONE &&
              model.actuator_ctrllimited[control]) {
     servo.torque_limit =
-        std::min(servo.torque_limit, std::abs(gear * gain[0]) *
-                                         symmetric(true, model.actuator_ctrlrange + 2 * control));
+        std::min(servo.torque_limit,
+                 std::abs(gear * gain[0]) *
+                     symmetric(true, model.actuator_ctrlrange + std::ptrdiff_t{2} * control));
   }
   if (!(servo.torque_limit > 0.0))
     throw xml.error(
@@ -171,7 +174,7 @@ Servo read_servo(const XmlFile& xml, const mjModel& model, int actuator, const X
 /// Whether an actuator pulls at what the plan holds in its home pose: a joint, or a tendon that is
 /// no linear actuator of a leg.
 bool drives_held(const mjModel& model, const Structure& structure, int actuator) {
-  const auto target = static_cast<std::size_t>(model.actuator_trnid[2 * actuator]);
+  const auto target = static_cast<std::size_t>(model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
   switch (model.actuator_trntype[actuator]) {
     case mjTRN_JOINT:
     case mjTRN_JOINTINPARENT:
@@ -195,7 +198,7 @@ const LinearActuator& linear_actuator(const mjModel& model, const Morphology& mo
 
 /// Name of the hinge that an actuator drives, itself or through its tendon; empty if there is none.
 std::string driven_joint(const mjModel& model, const Morphology& morphology, int actuator) {
-  const int target = model.actuator_trnid[2 * actuator];
+  const int target = model.actuator_trnid[std::ptrdiff_t{2} * actuator];
   switch (model.actuator_trntype[actuator]) {
     case mjTRN_JOINT:
     case mjTRN_JOINTINPARENT:
@@ -233,7 +236,7 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
       joint_through_tendon(model, actuator) >= 0)
     return 1.0;
   const LinearActuator& linear =
-      linear_actuator(model, morphology, model.actuator_trnid[2 * actuator]);
+      linear_actuator(model, morphology, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
   return morphology.leg_length *
          std::abs(moment_arm(actuator_shape(morphology, linear, s).value,
                              morphology.links[linear.joint + 1].joint.nominal));
@@ -310,7 +313,8 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
     }
     if (model.actuator_trntype[actuator] == mjTRN_TENDON &&
         joint_through_tendon(model, actuator) < 0)
-      servos.back().tendon = name_of(model, mjOBJ_TENDON, model.actuator_trnid[2 * actuator]);
+      servos.back().tendon =
+          name_of(model, mjOBJ_TENDON, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
     const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
     servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
   }

@@ -79,7 +79,7 @@ TEST(ReadUrdf, TellsWhatItMended) {
       << hopper.notes[3];
 }
 
-/// Exporters write shapes of size zero, which MuJoCo refuses: as points of contact, and for nothing.
+/// Exporters write shapes of size zero, which MuJoCo refuses: for points of contact, for nothing.
 TEST(ReadUrdf, ShapesOfSizeZeroAreBallsOrLeftOut) {
   std::string urdf = test::with(kHopper, "<sphere radius=\"0.02\"/>", "<sphere radius=\"0.0\"/>");
   urdf = test::with(urdf, "<visual><geometry><box size=\"0.2 0.1 0.04\"/>",
