@@ -60,7 +60,12 @@ int run(const Action& action) {
     return complain(error.what(), legwright::kBadInput);
   } catch (const legwright::IoError& error) {
     return complain(error.what(), legwright::kIoError);
-  } catch (const std::system_error& error) {  // filesystem_error included
+  } catch (const std::filesystem::filesystem_error& error) {
+    if (error.code() == std::errc::not_enough_memory)
+      return complain("out of memory", legwright::kInternal);
+    return complain((error.path1().string() + ": " + error.code().message()).c_str(),
+                    legwright::kIoError);
+  } catch (const std::system_error& error) {
     if (error.code() == std::errc::broken_pipe && std::ferror(stdout) != 0)
       return legwright::kIoError;  // who reads has seen enough: `| head`
     if (error.code() == std::errc::not_enough_memory)

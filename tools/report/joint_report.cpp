@@ -73,7 +73,7 @@ std::string joint_report_summary(const JointData& data) {
                                 escape_markdown(tasks_line(data)));
   std::vector<std::string> heads;
   for (const JointTaskData& task : data.tasks) heads.push_back(escape_markdown(spaced(task.name)));
-  out += row_of("F and verdict of the body", heads) + rule(heads.size());
+  out += row_of("F and verdict at three gains, of the body", heads) + rule(heads.size());
   for (const MatrixDesign& design : data.designs) {
     std::vector<std::string> cells;
     for (std::size_t t = 0; t < data.tasks.size(); ++t) cells.push_back(cell_words(design, t));

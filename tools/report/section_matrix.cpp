@@ -110,7 +110,7 @@ void add_task_cards(Html& page, const JointData& data) {
   } else {
     page.note(
         "One body for all tasks, each with a gait of its own. Verdicts are MuJoCo’s, at "
-        "half, default and double servo gains.",
+        "half, default and double servo gains and by what else was asked.",
         "note wide");
     if (data.whole.without_sums)
       page.note(std::string("The verdicts are ") + kWithoutSums + ".", "note wide");
@@ -136,7 +136,9 @@ void add_matrix(Html& page, const JointData& data) {
     page.note(
         "F: cost of the best gait found for that body. Below it, the measured speed as a "
         "share of the planned one at three servo gains; 95 to 105 % at all of them is one "
-        "of the conditions for a pass.");
+        "of the conditions for a pass. Here all bodies are judged by these roll-outs alone; "
+        "other numerics and disturbances, which the verdicts above count, are tried with the "
+        "body for all tasks.");
   } else {
     add_hint(page, "Speeds and verdicts are not known yet.", "validate", data.whole);
   }

@@ -10,7 +10,7 @@ void fields(Fields& f, MatrixDesignRecord& design) {
 
 void fields(Fields& f, MatrixCellRecord& cell) {
   f("F", cell.F);
-  f("pass", cell.pass);
+  f("pass", cell.pass, "by the roll-outs at the gains alone");
   f("line", cell.line, "of the verdict");
   f("gains", cell.gains, "what the roll-outs at each servo gain measured, as in metrics.json");
 }

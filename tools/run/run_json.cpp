@@ -11,6 +11,7 @@
 #include "tools/files/checksum.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/install.hpp"
+#include "tools/task/task_text.hpp"
 
 namespace legwright {
 namespace {
@@ -69,6 +70,7 @@ RunRecord head(const std::vector<std::string>& argv, const CodesignProblem& prob
                {"robot.xml", problem.robot.file.string()}};
   const RobotFiles& files = problem.robot.files;
   run.sha256 = {{"task.toml", sha256_hex(problem.set.text)},
+                {"inputs/task.toml", sha256_hex(text_beside_robot(problem.set.text))},
                 {"robot.xml", sha256_hex(files.main_text())}};
   for (const IncludedFile& included : files.includes())
     run.sha256.of(included.path.generic_string()) = sha256_hex(included.text);

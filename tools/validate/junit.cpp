@@ -71,4 +71,16 @@ std::string junit_xml(const std::vector<JunitSuite>& suites) {
       all, all_failures, body);
 }
 
+std::string junit_error_xml(const std::string& suite, const std::string& message) {
+  const std::string name = escape_attribute(suite);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"legwright validate\" "
+      "tests=\"1\" failures=\"0\" errors=\"1\">\n"
+      "  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\">\n"
+      "    <testcase classname=\"legwright.{0}\" name=\"judged\">\n"
+      "      <error type=\"legwright\" message=\"{1}\">{2}</error>\n"
+      "    </testcase>\n  </testsuite>\n</testsuites>\n",
+      name, escape_attribute(message), escape_text(message));
+}
+
 }  // namespace legwright

@@ -19,5 +19,7 @@ struct JunitSuite {
 /// The verdicts as JUnit XML: a suite per task, a case per limit, what was
 /// judged as properties "of FILE". Valid XML whatever the names are.
 std::string junit_xml(const std::vector<JunitSuite>& suites);
+/// A suite of one case that ended in an error before there was a verdict.
+std::string junit_error_xml(const std::string& suite, const std::string& message);
 
 }  // namespace legwright

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "optimizer/base/parallel.hpp"
+#include "tools/simulate/mujoco_host.hpp"
 
 namespace legwright {
 namespace {
@@ -59,6 +60,21 @@ void run(const RolloutJob& job, const WantedMotion& wanted, const ValidationOpti
   if (watch) job.out->comparison = watch->finish(job.out->at_gains[job.gain]);
 }
 
+/// Throws MujocoError where the plan beside a scene is of another robot than its gait.
+void check_plan(const SceneToValidate& what, const Scene& scene) {
+  const std::vector<std::string>& own = scene.trajectory.joint_names;
+  if (what.joints.empty() || what.joints == own) return;
+  const auto [plan, gait] = std::mismatch(what.joints.begin(), what.joints.end(), own.begin(), own.end());
+  const auto named = [](const auto& at, const auto& all) {
+    return at == all.end() ? std::string("no more") : "'" + *at + "'";
+  };
+  throw MujocoError(fmt::format(
+      "{}: is not the motion of the scene beside it: of the joints that they move, number {} is {} "
+      "in one and {} in the other; run `legwright optimize` again",
+      (what.scene.parent_path() / "motion.csv").string(), plan - what.joints.begin() + 1,
+      named(plan, what.joints), named(gait, own)));
+}
+
 }  // namespace
 
 std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>& scenes,
@@ -73,6 +89,7 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
     out[i].at_gains.resize(gains);
     for (std::size_t g = 0; g < gains; ++g) {
       loaded.push_back(load_scene(scenes[i].scene, options.gain_scales[g]));
+      check_plan(scenes[i], loaded.back());
       jobs.push_back({&loaded.back(), &scenes[i], &out[i], g});
     }
     if (gains == 0) continue;

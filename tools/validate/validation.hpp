@@ -18,6 +18,7 @@ namespace legwright {
 struct SceneToValidate {
   std::filesystem::path scene;
   Eigen::Vector2d plan_velocity = Eigen::Vector2d::Zero();
+  std::vector<std::string> joints = {};  // that the plan moves, in its order; empty: not compared
 };
 
 struct ValidationOptions {

@@ -9,6 +9,7 @@
 #include "mjcf/write/model_diff.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -129,7 +130,7 @@ void add_diff(CLI::App& program, Action& action) {
   verb->add_option("--tolerance", options->tolerance,
                    "share of a quantity up to which differences are none (of 1 m, rad, kg … where "
                    "it is less)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from_zero())
       ->capture_default_str();
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(

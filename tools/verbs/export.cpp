@@ -111,7 +111,7 @@ int export_run(const ExportOptions& options) {
   facts.standing = describe(stood);
   if (from.holds_home)
     facts.standing +=
-        " The `ctrl` of its home keyframe, which tells its servos that pose, is the export's: the "
+        " The ctrl of its home keyframe, which tells its servos that pose, is the export's: the "
         "robot's file has none.";
   if (from.lifted > 0.0)
     facts.standing += fmt::format(
@@ -119,7 +119,7 @@ int export_run(const ExportOptions& options) {
         "trunk is up to {:.3g} m higher.",
         from.lifted);
   if (!from.drawn.empty())
-    facts.standing += " Its keyframe `legwright` is the export's: " + from.drawn + ".";
+    facts.standing += " Its keyframe legwright is the export's: " + from.drawn + ".";
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "mjcf/propose/standing_pose.hpp"
-#include "mjcf/read/connectors.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -16,13 +15,13 @@
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/write/home_ctrl.hpp"
 #include "mjcf/write/keyframes.hpp"
-#include "mjcf/write/verify.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/verbs/summary.hpp"
+#include "tools/verbs/whole_run.hpp"
 
 namespace legwright {
 namespace {
@@ -47,30 +46,6 @@ std::string command_of(const RunRecord& run) {
     out +=
         out.empty() ? fs::path(word).filename().string() : " " + shell_word(without_folders(word));
   return out;
-}
-
-/// A file that run.json knows by another SHA-256; one that it does not know passes.
-void check_sum(const RunRecord& run, const std::string& name, const std::string& bytes,
-               const fs::path& file) {
-  const std::string* const wanted = run.sha256.find(name);
-  if (wanted != nullptr && *wanted != sha256_hex(bytes))
-    throw InputError(file.string(), 0, "",
-                     "is not what the run started from (its SHA-256 in run.json is another); run "
-                     "`legwright optimize` again");
-}
-
-void check_assets(const RunRecord& run, const RobotFiles& files) {
-  for (const AssetFile& asset : files.assets())
-    check_sum(run, asset.path.generic_string(), read_regular_file(asset.source, asset.bytes),
-              asset.source);
-}
-
-/// All files of the robot that the run started from.
-void check_sums(const RunRecord& run, const RobotFiles& files) {
-  check_sum(run, "robot.xml", files.main_text(), files.file());
-  for (const IncludedFile& part : files.includes())
-    check_sum(run, part.path.generic_string(), part.text, files.folder() / part.path);
-  check_assets(run, files);
 }
 
 /// What a verdict.json says that it is of.
@@ -152,7 +127,7 @@ ExportedRun read_exported_run(const fs::path& root) {
     throw IoError(result.string() +
                   ": no such file; the run has no result yet, finish `legwright " + "optimize`");
   out.before = read_robot(input);
-  check_sums(out.run, out.before.files);
+  check_inputs(root, out.run, out.before.files);
   // What was a leg is one: a design may be read otherwise where it is borderline.
   const RobotFiles files = RobotFiles::read(result);
   check_assets(out.run, files);
@@ -163,15 +138,7 @@ ExportedRun read_exported_run(const fs::path& root) {
   const RobotFiles held = with_home_ctrl(standing);
   out.after = files.at_their_lines([&] { return parse_robot(held, &out.before.structure); });
   out.holds_home = held.text() != standing.text();
-  const Eigen::VectorXd s = out.after.space.initial();
-  const std::string difference =
-      s.size() != out.before.space.size()
-          ? "other design parameters"
-          : find_difference(with_hulls_at(out.before, s), s, out.after.morphology, s);
-  if (!difference.empty())
-    throw InputError(result.string(), 0, "",
-                     "is not the robot of inputs/ at the design that it declares (" + difference +
-                         "); run `legwright optimize` again");
+  check_design(out.before, out.after, result);
   return out;
 }
 
@@ -190,8 +157,8 @@ std::string why_it_sank(const StandingResult& stand) {
            "torques of its own)";
   if (stand.commanded_elsewhere > 0)
     return fmt::format(
-        " (in that pose {} of its servos are told another place, as by a keyframe `home` without "
-        "`ctrl`; the gait has its own commands)",
+        " (in that pose {} of its servos are told another place, as by a keyframe home without "
+        "ctrl; the gait has its own commands)",
         stand.commanded_elsewhere);
   return " (its servos are told that pose and give in: their gains or torques are too low for its "
          "weight, or its feet slip)";
@@ -201,7 +168,7 @@ std::string why_it_sank(const StandingResult& stand) {
 
 std::string describe(const StandingResult& stand) {
   std::string out = fmt::format(
-      "Left to stand on the floor of `scene.xml` for {:.3g} s in its home pose: ", stand.seconds);
+      "Left to stand on the floor of scene.xml for {:.3g} s in its home pose: ", stand.seconds);
   if (stand.warnings.empty()) out += "no warning of the engine";
   for (std::size_t k = 0; k < stand.warnings.size(); ++k)
     out += fmt::format("{}{} ({} times, first at {:.3g} s)", k ? ", " : "", stand.warnings[k].text,
@@ -214,12 +181,12 @@ std::string describe(const StandingResult& stand) {
   if (stand.flew() && stand.commanded_elsewhere > 0)
     out += fmt::format(
         " (it is thrown up to {:.3g} m: in that pose {} of its servos are told another place by "
-        "the `ctrl` of its keyframe)",
+        "the ctrl of its keyframe)",
         stand.highest, stand.commanded_elsewhere);
   else if (stand.flew())
     out += fmt::format(
         " (it is thrown up to {:.3g} m: that pose does not stand; give the robot's file a keyframe "
-        "`home` in which its feet touch the ground and no links overlap)",
+        "home in which its feet touch the ground and no links overlap)",
         stand.highest);
   else if (stand.sank())
     out += why_it_sank(stand);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/run/task_folders.hpp"
@@ -27,11 +29,13 @@ std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const RunRecord&
   return bodies;
 }
 
-/// The initial body, those of the tasks alone, then the common one: as the matrix has them.
-std::vector<const SceneValidation*> in_order(const JudgedRun& judged) {
-  std::vector<const SceneValidation*> order{&judged.designs[0]};
-  for (std::size_t k = 2; k < judged.designs.size(); ++k) order.push_back(&judged.designs[k]);
-  order.push_back(&judged.designs[1]);
+/// The initial body, those of the tasks alone, then the common one: as the matrix has them, each
+/// with the verdict on its roll-outs at the gains. More is asked of the common one alone.
+std::vector<std::pair<const SceneValidation*, const Verdict*>> in_order(const JudgedRun& judged) {
+  std::vector<std::pair<const SceneValidation*, const Verdict*>> order;
+  for (std::size_t k = 0; k < judged.designs.size(); ++k)
+    if (k != 1) order.emplace_back(&judged.designs[k], &judged.designs[k].verdict);
+  order.emplace_back(&judged.designs[1], &judged.at_gains);
   return order;
 }
 
@@ -100,10 +104,11 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
     const auto order = in_order(judged.back());
     const auto costs = costs_of(run, bodies, t);
     auto& cells = matrix.cells.of(tasks[t].name);
-    for (std::size_t k = 0; k < order.size(); ++k)
-      cells.push_back(
-          {costs[k], order[k]->verdict.pass, order[k]->verdict.line, metrics_by_gain(*order[k])});
-    matrix.pass = matrix.pass && order.back()->verdict.pass;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const auto& [design, verdict] = order[k];
+      cells.push_back({costs[k], verdict->pass, verdict->line, metrics_by_gain(*design)});
+    }
+    matrix.pass = matrix.pass && judged.back().designs[1].verdict.pass;
   }
   write_all(folder, tasks, judged, run, matrix);
   return matrix;

@@ -13,6 +13,7 @@
 #include "tools/validate/floquet.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/task_of_run.hpp"
+#include "tools/verbs/whole_run.hpp"
 
 namespace legwright {
 namespace {
@@ -128,6 +129,7 @@ void play_and_judge(const ResultFolder& folder, const TaskOfRun& task,
                                       scene_to_validate(folder.result())};
   for (const fs::path& other : others) scenes.push_back(scene_to_validate(other));
   judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
+  judged.at_gains = judged.designs[1].verdict;
   judge_further(task, scenes[1], options, judged);
   judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
   judged.home_touches = home_touches_of(folder);
@@ -195,6 +197,7 @@ JudgedRun play_and_judge(const ResultFolder& folder, const std::vector<fs::path>
   JudgedRun judged;
   judged.of = sums_of_run(folder.root());
   const TaskOfRun task = task_of_run(folder);
+  check_belongs_together(folder.root(), read_record_file<RunRecord>(folder.run_json()));
   JudgeOptions options = asked;
   options.validation.limits = with_step_over(asked.validation.limits, task.step_over);
   try {

@@ -13,7 +13,7 @@ constexpr std::size_t kCell = 18;  // of F, its sign and exponent, and the verdi
 }  // namespace
 
 std::string matrix_table(const MatrixRecord& matrix) {
-  const std::string title = "F and verdict of";
+  const std::string title = "F and verdict at three gains";
   std::size_t names = title.size();
   for (const MatrixDesignRecord& design : matrix.designs)
     names = std::max(names, std::string("  body ").size() + design.name.size());

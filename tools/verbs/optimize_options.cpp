@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/progress.hpp"
 
 namespace legwright {
@@ -125,13 +126,16 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_flag("--one-start", options.one_start,
                 "several tasks: start from the initial design only, not from each task's optimum");
   verb.add_option("--stop-at", options.stop_at,
-                  "end the search once F is as low as this, as the paper's Algorithm 1 does");
+                  "end the search once F is as low as this, as the paper's Algorithm 1 does")
+      ->check(finite_number());
   verb.add_option("--starts", options.starts,
                   "further starts from perturbed initial designs; with --motion-only: from "
                   "perturbed motions")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  verb.add_option("--seed", options.seed, "of the perturbations")->capture_default_str();
+  verb.add_option("--seed", options.seed, "of the perturbations")
+      ->check(seed_number())
+      ->capture_default_str();
   verb.add_option(
           "--front", options.front,
           "two tasks: walk the weights from one to the other over so many points between the ends, "
@@ -158,7 +162,7 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_flag("--few", options.few,
                 "hand back the body with the fewest changes that keeps most of the fall of F");
   verb.add_option("--few-keeps", options.few_keeps, "how much of the fall of F [%]")
-      ->check(CLI::Range(1.0, 100.0))
+      ->check(number_between(1.0, 100.0))
       ->capture_default_str();
   verb.add_flag("--plan-only", options.plan_only,
                 "hand back the optimum of F, whatever MuJoCo says of it");

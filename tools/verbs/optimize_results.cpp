@@ -74,7 +74,7 @@ std::vector<EngineWarningRecord> engine_warnings(
 }  // namespace
 
 std::string status_text(SolveStatus status, int signal) {
-  if (signal == SIGINT) return "interrupted";
+  if (signal != 0) return "interrupted";
   return std::string(to_string(status));
 }
 

@@ -11,6 +11,7 @@
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/plugin_files.hpp"
 #include "tools/verbs/summary.hpp"
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 
@@ -183,7 +184,7 @@ void add_play(CLI::App& program, Action& action) {
   verb->add_option("RUN", options->run, "folder of a run")->required();
   CLI::Option* iteration = verb->add_option("--iteration", options->iteration,
                                             "play this iteration instead of the result")
-                               ->check(CLI::NonNegativeNumber);
+                               ->check(number_from_zero());
   verb->add_flag("--live", options->live,
                  "follow a run that goes on or is yet to start: show each design as it lands")
       ->excludes(iteration);

@@ -5,7 +5,8 @@
 Joint targets, velocities and torques come from gait.csv, gains from gains.json, as the driver of a
 real robot takes them. README.md here explains both.
 
-Usage: python play.py [--cycles N] [--view] [TASK]; needs `pip install mujoco`.
+Usage: python play.py [--cycles N] [--view] [TASK]; needs `pip install mujoco-core` (before MuJoCo 4:
+mujoco, from 3.3.7 on).
 """
 
 import argparse
@@ -28,6 +29,11 @@ class Gait:
         self.targets = np.array([columns[servo['target']] for servo in servos]).T
         self.torques = np.array([columns[servo['torque']] for servo in servos]).T
         self.step = period / len(self.targets)
+        if not np.allclose(columns['time_s'], self.step * np.arange(len(self.targets)), atol=1e-6):
+            raise SystemExit(
+                f'play.py: the times of gait.csv are not evenly spaced over its {period} s: rows are '
+                'missing or changed; export the run anew: legwright export'
+            )
 
     def at(self, moment):
         """Targets, their velocities, and torques, which are linear between the rows."""
@@ -89,6 +95,8 @@ def main():
     if not options.task and '' not in tasks:
         options.task = tasks[0]
         print(f'tasks: {", ".join(tasks)}; plays {tasks[0]}, as none was named', flush=True)
+    if options.cycles < 1:
+        parser.error(f'--cycles {options.cycles}: expected a number from 1 on')
     if options.task not in tasks:
         cure = f'name one of {", ".join(tasks)}' if tasks[0] else 'name none, it is of one task'
         parser.error(f'there is no gait {options.task!r} here; {cure}')

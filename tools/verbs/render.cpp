@@ -11,6 +11,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -86,7 +87,7 @@ void add_render(CLI::App& program, Action& action) {
   verb->add_option("--phase", options->phases,
                    "Also a still of the gait at this phase, 0 to 1; may be given several times")
       ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_between(0.0, 1.0));
   verb->add_flag("--still", options->still,
                  "Nothing but the stills of --phase (without it: of phase 0)");
   verb->add_flag("--small", options->small, "Nothing but result/small.webp, for overviews");

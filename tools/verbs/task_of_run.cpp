@@ -6,6 +6,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/path.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/run/checkpoint_file.hpp"
 #include "tools/run/motion_csv.hpp"
 #include "tools/run/run_record.hpp"
 
@@ -23,6 +24,15 @@ Eigen::Vector2d velocity_of(const Trajectory& plan) {
   const Eigen::Vector2d step =
       Eigen::Vector2d(plan.travel[0], plan.travel[1]) + Eigen::Rotation2Dd(plan.turn) * com - com;
   return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
+}
+
+/// Whether a run around a design's folder can be gone on with.
+bool is_of_stopped_search(const fs::path& folder) {
+  constexpr int kDeepest = 5;  // RUN/tasks/NAME/iterations/0000
+  fs::path at = fs::absolute(folder).lexically_normal();
+  for (int k = 0; k < kDeepest; ++k, at = at.parent_path())
+    if (has_checkpoint(at)) return true;
+  return false;
 }
 
 }  // namespace
@@ -43,11 +53,15 @@ SceneToValidate scene_to_validate(const fs::path& folder) {
   SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
   if (!fs::is_regular_file(out.scene)) {
     throw IoError(out.scene.string() +
-                  ": no such file; the run was stopped before it was written: run `legwright " +
-                  "optimize` again, with --force");
+                  ": no such file; " +
+                  (is_of_stopped_search(folder)
+                       ? "the search was stopped before it was written: `legwright optimize "
+                         "--resume RUN` goes on with it"
+                       : "the run is not whole: run `legwright optimize` again, with --force"));
   }
   const Trajectory plan = read_motion_csv(folder / "motion.csv");
   out.plan_velocity = velocity_of(plan);
+  out.joints = plan.joint_names;
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <new>
 #include <thread>
 
 #include "mjcf/text/input_error.hpp"
@@ -10,17 +12,20 @@
 #include "tools/files/io_error.hpp"
 #include "tools/run/joined_by_and.hpp"
 #include "tools/run/result_folder.hpp"
-#include "tools/validate/junit.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/robustness_limits.hpp"
 #include "tools/verbs/judge_run.hpp"
+#include "tools/verbs/junit_file.hpp"
 #include "tools/verbs/matrix_table.hpp"
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/progress.hpp"
 #include "tools/verbs/python_module.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ValidateOptions : ReadingOptions {
   std::string run, limits, junit;
@@ -104,19 +109,26 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
     fmt::print("{}  {}\n", indent, line);
 }
 
-int validate_joint(const ResultFolder& folder, const RunRecord& run,
+/// What a run is called where its verdict stands beside others.
+std::string suite_of(const fs::path& run) {
+  const fs::path whole = fs::absolute(run).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+int validate_joint(const ResultFolder& folder, const RunRecord& run, const JunitFile& junit,
                    const ValidateOptions& options) {
   std::vector<JudgedRun> judged;
   const MatrixRecord matrix = judge_joint_run(folder, run, options.judge, judged);
   std::vector<JunitSuite> suites;
   for (std::size_t k = 0; k < judged.size(); ++k)
-    suites.push_back({(*run.tasks)[k].name, judged[k].designs[1].verdict, judged[k].of});
-  if (!options.junit.empty()) write_file(options.junit, junit_xml(suites));
+    suites.push_back({run.name.value_or(suite_of(options.run)) + "." + (*run.tasks)[k].name,
+                      judged[k].designs[1].verdict, judged[k].of});
+  junit.write(suites);
   if (options.json) {
     fmt::print("{}", to_text(json_of(matrix)));
   } else {
     for (std::size_t k = 0; k < judged.size(); ++k) {
-      fmt::print("{}\n", suites[k].name);
+      fmt::print("{}\n", (*run.tasks)[k].name);
       print_servos((*run.tasks)[k], "  ");
       print_judged(judged[k], run.motion_only, "  ");
     }
@@ -156,9 +168,7 @@ int validate_elsewhere(const ValidateOptions& options) {
   return run_python_module(drake_part(), words);
 }
 
-int validate(const ValidateOptions& asked) {
-  if (asked.engine != "mujoco") return validate_elsewhere(asked);
-  ValidateOptions options = asked;
+int validate_here(ValidateOptions options, const JunitFile& junit) {
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
@@ -166,11 +176,10 @@ int validate(const ValidateOptions& asked) {
   const ResultFolder folder = ResultFolder::open_to_write(options.run);
   options.check_run(options.run);
   const RunRecord run = read_run_record(folder);
-  if (run.joint()) return validate_joint(folder, run, options);
+  if (run.joint()) return validate_joint(folder, run, junit, options);
   const JudgedRun judged = judge_run(folder, options.judge);
   const Verdict& verdict = judged.designs[1].verdict;
-  const std::string name = run.name.value_or(folder.root().filename().string());
-  if (!options.junit.empty()) write_file(options.junit, junit_xml({{name, verdict, judged.of}}));
+  junit.write({{run.name.value_or(suite_of(options.run)), verdict, judged.of}});
   if (options.json) {
     Json document{{"verdict", json_of(judged.verdict)}, {"metrics", json_of(judged.metrics)}};
     if (const auto record = judged.robustness_record()) document["robustness"] = json_of(*record);
@@ -183,6 +192,19 @@ int validate(const ValidateOptions& asked) {
   return verdict.pass ? kOk : kInfeasible;
 }
 
+int validate(const ValidateOptions& options) {
+  if (options.engine != "mujoco") return validate_elsewhere(options);
+  const JunitFile junit(options.junit);
+  try {
+    return validate_here(options, junit);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    junit.write_error(suite_of(options.run), error.what());
+    throw;
+  }
+}
+
 void add_options(CLI::App& verb, ValidateOptions& options) {
   JudgeOptions& judge = options.judge;
   verb.add_option("run", options.run, "Folder that legwright optimize wrote")->required();
@@ -193,11 +215,11 @@ void add_options(CLI::App& verb, ValidateOptions& options) {
       ->capture_default_str();
   verb.add_option("--limits", options.limits,
                   "TOML file of what passes; examples/limits.toml has all that may be limited");
-  verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit");
+  verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit; an error where there is none");
   verb.add_flag(
       "--quick", options.quick,
       "Only the roll-outs at three gains: no disturbances, no second opinion on numerics, no "
-      "stability");
+      "stability; what an earlier validate wrote of these in the run goes away");
   verb.add_option("--cycles", judge.validation.cycles, "Cycles of the gait to play")
       ->check(CLI::Range(4, 10000))
       ->capture_default_str();
@@ -205,7 +227,9 @@ void add_options(CLI::App& verb, ValidateOptions& options) {
                   "Walks with all disturbances drawn at once; 0: margins only")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
-  verb.add_option("--seed", judge.disturbed.seed, "Of those draws")->capture_default_str();
+  verb.add_option("--seed", judge.disturbed.seed, "Of those draws")
+      ->check(seed_number())
+      ->capture_default_str();
   verb.add_option("--threads", judge.validation.threads,
                   "Roll-outs at the same time; results do not depend on it; default: all cores")
       ->check(CLI::Range(1, 64));

@@ -18,7 +18,7 @@ TEST(MatrixTable, KeepsItsColumnsWithNamesOfAnyLength) {
     return body + "  " + std::string(18 - one.size(), ' ') + one + "  " +
            std::string(longest.size() - other.size(), ' ') + other + "\n";
   };
-  EXPECT_EQ(matrix_table(matrix), line("F and verdict of", "trot", longest) +
+  EXPECT_EQ(matrix_table(matrix), line("F and verdict at three gains", "trot", longest) +
                                       line("  body initial body", "1.5   PASS", "0.25   FAIL") +
                                       line(name, "-1.234e-12   FAIL", "1.235e+07   PASS"));
 }

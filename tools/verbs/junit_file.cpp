@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/verbs/junit_file.hpp"
+
+#include <utility>
+
+#include "mjcf/text/input_error.hpp"
+#include "tools/files/atomic_file.hpp"
+#include "tools/files/io_error.hpp"
+
+namespace legwright {
+
+namespace fs = std::filesystem;
+
+JunitFile::JunitFile(fs::path path) : path_(std::move(path)) {
+  constexpr std::size_t kHead = 400;  // [bytes] within which the root element begins
+  if (path_.empty()) return;
+  const fs::path folder = path_.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw IoError("--junit " + path_.string() + ": there is no folder " + folder.string() +
+                  "; make it, or name another");
+  if (fs::is_directory(path_))
+    throw IoError("--junit " + path_.string() + ": is a folder; name a file in it");
+  if (!fs::is_regular_file(path_)) return;
+  const std::string head = read_head(path_, kHead);
+  if (!head.empty() && head.find("<testsuite") == std::string::npos)
+    throw InputError("--junit " + path_.string() +
+                     ": is there and holds something else than JUnit XML; name another file");
+}
+
+void JunitFile::write(const std::vector<JunitSuite>& suites) const {
+  if (!path_.empty()) write_file(path_, junit_xml(suites));
+}
+
+void JunitFile::write_error(const std::string& suite, const std::string& message) const noexcept {
+  if (path_.empty()) return;
+  try {
+    write_file(path_, junit_error_xml(suite, message));
+  } catch (const std::exception&) {  // what went wrong is told already
+  }
+}
+
+}  // namespace legwright
