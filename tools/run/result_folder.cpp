@@ -12,6 +12,7 @@
 #include "tools/run/checkpoint_file.hpp"
 #include "tools/run/run_build.hpp"
 #include "tools/run/run_lock.hpp"
+#include "tools/run/run_reach.hpp"
 
 namespace legwright {
 namespace {
@@ -124,6 +125,7 @@ ResultFolder ResultFolder::open_to_write(const fs::path& root, BetweenResults be
   ResultFolder folder = open(root, between);
   folder.lock_ = locked(root);
   (void)open(root, between);  // who held it until now may have removed the run
+  check_no_links(root);
   sweep_leftovers(root);
   return folder;
 }

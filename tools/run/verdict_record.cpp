@@ -56,6 +56,11 @@ void fields(Fields& f, OverriddenRecord::Option& option) {
   f("scene", option.scene, "in the scene, which was judged");
 }
 
+void fields(Fields& f, NeverTouchRecord& never_touch) {
+  f("line", never_touch.line);
+  f("links", never_touch.links);
+}
+
 void fields(Fields& f, OverriddenRecord& overridden) {
   f("line", overridden.line);
   f("options", overridden.options);
@@ -67,6 +72,8 @@ void fields(Fields& f, VerdictRecord& verdict) {
   f("pass", verdict.pass, "of the result");
   f.nullable("home_touches", verdict.home_touches,
              "what of the designed body touches itself in the home pose and did not before");
+  f("never_touch", verdict.never_touch,
+    "links of the designed body that may pass through others, as none of their shapes collide");
   f("overridden", verdict.overridden,
     "what scenes set otherwise than the robot's file does, of steps, solvers and flags");
   f("run_status", verdict.run_status,

@@ -46,6 +46,13 @@ struct HomeTouchesRecord {
   std::vector<HomeTouchRecord> pairs;
 };
 
+/// Links of the designed body that MuJoCo lets pass through the others, as none of their shapes
+/// collide: whether they touch is asked of none of them.
+struct NeverTouchRecord {
+  std::string line;
+  std::vector<std::string> links;
+};
+
 /// What the scene sets otherwise than the <option> of the robot's file.
 struct OverriddenRecord {
   struct Option {
@@ -61,14 +68,16 @@ struct VerdictRecord {
   DesignVerdict initial, result;
   bool pass = false;  // of the result
   std::optional<HomeTouchesRecord> home_touches;
-  std::optional<OverriddenRecord> overridden = {};  // absent where the file sets nothing otherwise
-  std::optional<std::string> run_status = {};       // of a search that did not come to its end
-  std::optional<JudgedSums> of = {};                // what was judged; absent in older files
+  std::optional<NeverTouchRecord> never_touch = {};  // absent where all links may touch
+  std::optional<OverriddenRecord> overridden = {};   // absent where the file sets nothing otherwise
+  std::optional<std::string> run_status = {};        // of a search that did not come to its end
+  std::optional<JudgedSums> of = {};                 // what was judged; absent in older files
   std::optional<JudgedSums> with = {};  // SHA-256 of the other files of the judgement, by name
 };
 
 void fields(Fields& f, WorstPart& part);
 void fields(Fields& f, DesignVerdict& verdict);
+void fields(Fields& f, NeverTouchRecord& never_touch);
 void fields(Fields& f, OverriddenRecord& overridden);
 void fields(Fields& f, VerdictRecord& verdict);
 

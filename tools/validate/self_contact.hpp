@@ -4,7 +4,9 @@
 #include <mujoco/mujoco.h>
 
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "tools/run/metrics_record.hpp"
 
@@ -29,5 +31,12 @@ class SelfContactWatch {
   long long samples_ = 0, touched_ = 0;
   SelfContact out_;
 };
+
+/// Links of the robot below a body, by their bodies' names, none of whose geoms can touch another
+/// link: their masks (contype, conaffinity) match those of none. Nobody asks whether they do, so
+/// that they may pass through each other. In the order of the model; at most all of them.
+std::vector<std::string> links_that_never_touch(const mjModel& model, int root_body);
+/// How many links there are: bodies that move against each other.
+int link_count(const mjModel& model, int root_body);
 
 }  // namespace legwright

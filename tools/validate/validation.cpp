@@ -64,7 +64,8 @@ void run(const RolloutJob& job, const WantedMotion& wanted, const ValidationOpti
 void check_plan(const SceneToValidate& what, const Scene& scene) {
   const std::vector<std::string>& own = scene.trajectory.joint_names;
   if (what.joints.empty() || what.joints == own) return;
-  const auto [plan, gait] = std::mismatch(what.joints.begin(), what.joints.end(), own.begin(), own.end());
+  const auto [plan, gait] =
+      std::mismatch(what.joints.begin(), what.joints.end(), own.begin(), own.end());
   const auto named = [](const auto& at, const auto& all) {
     return at == all.end() ? std::string("no more") : "'" + *at + "'";
   };
@@ -96,6 +97,8 @@ std::vector<SceneValidation> validate_scenes(const std::vector<SceneToValidate>&
     const Scene& scene = loaded.back();
     out[i].qpos_names = qpos_names(*scene.model);
     out[i].timestep = scene.model->opt.timestep;
+    out[i].never_touch = links_that_never_touch(*scene.model, scene.joints.root_body);
+    out[i].links = link_count(*scene.model, scene.joints.root_body);
     out[i].robot_mass = scene.model->body_subtreemass[scene.joints.root_body];
   }
   // Each job has its own place for its result, so that the order of execution leaves no trace.

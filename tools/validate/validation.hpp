@@ -40,6 +40,8 @@ struct SceneValidation {
   std::optional<Comparison> comparison;  // with the plan, at default gains; none for an early fall
   double timestep = 0.0;                 // [s]
   double robot_mass = 0.0;               // [kg]
+  std::vector<std::string> never_touch;  // links_that_never_touch()
+  int links = 0;                         // link_count()
 };
 
 /// Plays each scene at each gain and judges it. Results do not depend on the number of threads.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mjcf/scene/plain_scene.hpp"
+#include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
@@ -17,6 +18,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/robot_label.hpp"
 #include "tools/run/run_lock.hpp"
+#include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/export_files.hpp"
 #include "tools/verbs/export_gait.hpp"
@@ -123,7 +125,11 @@ int export_run(const ExportOptions& options) {
   facts.others = others;
   const std::vector<HomeTouch> touches = home_touches(from);
   facts.touches = describe(touches);
-  facts.gaits = write_gaits(options.run, folder.path());
+  try {
+    facts.gaits = write_gaits(options.run, folder.path());
+  } catch (const MujocoError& error) {
+    throw InputError(std::string(error.what()) + "; run `legwright optimize` again");
+  }
   facts.urdf = options.urdf || options.ros;
   if (facts.urdf) facts.urdf_lost = write_urdf(from.after, folder.path(), name);
   if (options.ros) facts.ros_package = write_ros(from.after, options.run, folder.path(), name);

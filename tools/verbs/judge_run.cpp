@@ -5,6 +5,7 @@
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/listed.hpp"
 #include "mjcf/text/robot_files.hpp"
 #include "tools/files/checksum.hpp"
 #include "tools/run/install.hpp"
@@ -86,6 +87,13 @@ void judge_further(const TaskOfRun& task, const SceneToValidate& scene, const Ju
     result.verdict = judge(result.at_gains, task.wanted, task.gait, limits, further);
 }
 
+std::string never_touch_words(const SceneValidation& played) {
+  return fmt::format(
+      "{} of {} links have no shape that collides with another link's, so nobody asks whether they "
+      "pass through each other: {}",
+      played.never_touch.size(), played.links, listed(played.never_touch));
+}
+
 VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
   const Verdict& result = judged.designs[1].verdict;
   VerdictRecord out{.initial = verdict_record(judged.designs[0].verdict),
@@ -93,6 +101,8 @@ VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
                     .pass = result.pass,
                     .home_touches = {},
                     .run_status = task.early_stop};
+  if (const SceneValidation& played = judged.designs[1]; !played.never_touch.empty())
+    out.never_touch = {never_touch_words(played), played.never_touch};
   if (!judged.overridden.empty()) {
     out.overridden = {describe_overridden(judged.overridden), {}};
     for (const OverriddenOption& option : judged.overridden)

@@ -10,8 +10,8 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/plugin_files.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/number_options.hpp"
+#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 

@@ -52,8 +52,7 @@ TaskOfRun task_of_run(const ResultFolder& folder) {
 SceneToValidate scene_to_validate(const fs::path& folder) {
   SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
   if (!fs::is_regular_file(out.scene)) {
-    throw IoError(out.scene.string() +
-                  ": no such file; " +
+    throw IoError(out.scene.string() + ": no such file; " +
                   (is_of_stopped_search(folder)
                        ? "the search was stopped before it was written: `legwright optimize "
                          "--resume RUN` goes on with it"

@@ -92,6 +92,8 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
         indent, indent);
   if (!judged.home_touches.empty())
     fmt::print("{}warning: {}\n", indent, terminal_text(describe(judged.home_touches)));
+  if (judged.verdict.never_touch)
+    fmt::print("{}{}\n", indent, terminal_text(judged.verdict.never_touch->line));
   if (!judged.overridden.empty())
     fmt::print("{}{}\n", indent, describe_overridden(judged.overridden));
   if (const auto& comparison = judged.designs[1].comparison)
@@ -215,7 +217,8 @@ void add_options(CLI::App& verb, ValidateOptions& options) {
       ->capture_default_str();
   verb.add_option("--limits", options.limits,
                   "TOML file of what passes; examples/limits.toml has all that may be limited");
-  verb.add_option("--junit", options.junit, "Write the verdict as JUnit XML, a case per limit; an error where there is none");
+  verb.add_option("--junit", options.junit,
+                  "Write the verdict as JUnit XML, a case per limit; an error where there is none");
   verb.add_flag(
       "--quick", options.quick,
       "Only the roll-outs at three gains: no disturbances, no second opinion on numerics, no "

@@ -45,6 +45,17 @@ TEST(Junit, EachLimitIsACase) {
   EXPECT_STREQ(failure->Attribute("message"), "reaches 70 % <of> \"it\" & pace");
 }
 
+TEST(Junit, AnErrorStandsInThePlaceOfAVerdict) {
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(junit_error_xml("my <run>", "a & b").c_str()), tinyxml2::XML_SUCCESS);
+  const auto* suite = document.RootElement()->FirstChildElement("testsuite");
+  EXPECT_EQ(document.RootElement()->IntAttribute("errors"), 1);
+  EXPECT_STREQ(suite->Attribute("name"), "my <run>");
+  const auto* error = suite->FirstChildElement("testcase")->FirstChildElement("error");
+  ASSERT_NE(error, nullptr);
+  EXPECT_STREQ(error->Attribute("message"), "a & b");
+}
+
 TEST(Junit, WhatWasJudgedIsAProperty) {
   JunitSuite one = suite("pace");
   one.of = {{"result/scene.xml", "0123"}};

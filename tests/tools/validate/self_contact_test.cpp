@@ -32,6 +32,35 @@ OwnModel balls(bool collide) {
   return model;
 }
 
+/// A trunk with two legs, whose feet collide, and a lid that is fixed to it.
+TEST(NeverTouch, NamesLinksWithoutAShapeThatMeetsAnother) {
+  const auto names = [](const std::string& left, const std::string& right) {
+    const std::string xml = fmt::format(
+        R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/>
+  <body name="trunk"><freejoint/><geom size="0.1" contype="0" conaffinity="0"/>
+    <body name="lid"><geom size="0.1" contype="0" conaffinity="0"/></body>
+    <body name="left" pos="0 1 0"><joint/><geom size="0.1" {}/></body>
+    <body name="right" pos="0 -1 0"><joint/><geom size="0.1" {}/></body></body>
+</worldbody></mujoco>)",
+        left, right);
+    char error[256] = "";
+    mjSpec* spec = mj_parseXMLString(xml.c_str(), nullptr, error, sizeof error);
+    EXPECT_NE(spec, nullptr) << error;
+    const OwnModel model(mj_compile(spec, nullptr), mj_deleteModel);
+    mj_deleteSpec(spec);
+    EXPECT_EQ(link_count(*model, 1), 3) << "the lid is of the trunk";
+    return links_that_never_touch(*model, 1);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names("", ""), Names{"trunk"});
+  EXPECT_EQ(names("contype=\"0\" conaffinity=\"0\"", ""), (Names{"trunk", "left", "right"}));
+  EXPECT_EQ(names("contype=\"2\" conaffinity=\"1\"", "contype=\"1\" conaffinity=\"4\""),
+            Names{"trunk"});
+  EXPECT_EQ(names("contype=\"1\" conaffinity=\"2\"", "contype=\"1\" conaffinity=\"2\""),
+            (Names{"trunk", "left", "right"}))
+      << "they meet the floor alone";
+}
+
 SelfContact fly(const mjModel& model) {
   OwnData data(mj_makeData(&model), mj_deleteData);
   data->qpos[2] = 0.299;  // lifted off the floor, which it touched

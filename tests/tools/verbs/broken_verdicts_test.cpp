@@ -98,7 +98,17 @@ TEST_F(BrokenVerdict, DamagedRunIsRefusedBeforeAnythingIsPlayed) {
     const test::Outcome damaged = call({"validate", "run", "--quick", "--junit", "out.xml"});
     EXPECT_EQ(damaged.code, 2) << text << damaged.err;
     EXPECT_TRUE(test::contains(damaged.err, "the file is damaged")) << damaged.err;
+    const std::string junit = read_file(folder_.path() / "out.xml");
+    EXPECT_TRUE(test::contains(junit, "<error type=\"legwright\"")) << junit;
+    EXPECT_TRUE(test::contains(junit, "the file is damaged")) << junit;
   }
+  const std::string run = read_file(folder_.path() / "run/run.json");
+  for (const char* name : {"run/run.json", "nowhere/out.xml", "run"}) {
+    const test::Outcome refused = call({"validate", "run", "--quick", "--junit", name});
+    EXPECT_TRUE(refused.code == 2 || refused.code == 3) << name;
+    EXPECT_TRUE(test::contains(refused.err, std::string("--junit ") + name)) << refused.err;
+  }
+  EXPECT_EQ(read_file(folder_.path() / "run/run.json"), run);
 }
 
 TEST_F(BrokenVerdict, FaultyLimitsFilesAreRefusedBeforeAnythingIsPlayed) {

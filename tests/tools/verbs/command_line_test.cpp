@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "tools/verbs/number_options.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -34,6 +35,46 @@ INSTANTIATE_TEST_SUITE_P(
                     Repeated{add_studio, "studio", "--roots", "a", "b", "PATH"},
                     Repeated{add_render, "render", "--phase", "0.25", "0.5", "run"}),
     [](const auto& of) { return of.param.verb + of.param.option.substr(2); });
+
+/// An option, a value of it that passes, and one that is no number there.
+struct Number {
+  void (*add)(CLI::App&, Action&);
+  std::string verb, option, good, bad;
+};
+
+class NumberOptions : public testing::TestWithParam<Number> {};
+
+TEST_P(NumberOptions, TakeNumbersAlone) {
+  const Number& of = GetParam();
+  const auto parsed = [&](const std::string& value) {
+    CLI::App program;
+    Action action;
+    of.add(program, action);
+    program.parse(of.verb + " " + of.option + " " + value + " a b");
+  };
+  EXPECT_NO_THROW(parsed(of.good));
+  EXPECT_THROW(parsed(of.bad), CLI::ValidationError) << of.bad;
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, NumberOptions,
+                         testing::Values(Number{add_diff, "diff", "--tolerance", "1e-6", "nan"},
+                                         Number{add_diff, "diff", "--tolerance", "0", "inf"},
+                                         Number{add_diff, "diff", "--tolerance", "0.5", "-1"},
+                                         Number{add_diff, "diff", "--tolerance", "0.5", "0,5"}));
+
+TEST(NumberChecks, KeepTheirBounds) {
+  const auto passes = [](const CLI::Validator& check, std::string text) {
+    return check(text).empty();
+  };
+  EXPECT_TRUE(passes(number_between(1.0, 100.0), "100"));
+  EXPECT_FALSE(passes(number_between(1.0, 100.0), "nan"));
+  EXPECT_FALSE(passes(number_between(1.0, 100.0), "100.1"));
+  EXPECT_TRUE(passes(finite_number(), "-2.5"));
+  EXPECT_FALSE(passes(finite_number(), "-inf"));
+  EXPECT_TRUE(passes(seed_number(), "18446744073709551615"));
+  EXPECT_FALSE(passes(seed_number(), "18446744073709551616"));
+  EXPECT_FALSE(passes(seed_number(), "-1"));
+}
 
 }  // namespace
 }  // namespace legwright

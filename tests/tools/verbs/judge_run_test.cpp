@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/checksum.hpp"
@@ -128,6 +129,64 @@ TEST_F(JudgeRun, ASecondEngineDoesNotWriteIntoOneEither) {
   replaces = true;
   EXPECT_THROW(judge_in_engine(folder, gives_up, options), IoError);
   EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(JudgeRun, FilesThatDoNotBelongTogetherAreNotJudged) {
+  const auto refusal = [&] {
+    try {
+      (void)judge_run(ResultFolder::open(run_), options_);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("judged");
+  };
+  const auto changed = [&](const char* name, const std::string& from, const std::string& to) {
+    const fs::path file = run_ / name;
+    const std::string good = read_file(file);
+    const std::size_t at = good.find(from);
+    EXPECT_NE(at, std::string::npos) << name;
+    write_file(file, std::string(good).replace(at, from.size(), to));
+    const std::string told = refusal();
+    write_file(file, good);
+    return told;
+  };
+  EXPECT_NE(changed("inputs/task.toml", "0.1]", "0.2]").find("not what the run started from"),
+            std::string::npos);
+  EXPECT_NE(changed("inputs/robot.xml", "<mujoco", "<!-- mine --><mujoco").find("not what the run"),
+            std::string::npos);
+  EXPECT_NE(changed("result/robot.xml", "mass=\"1\"", "mass=\"3\"").find("is not the robot of"),
+            std::string::npos);
+  const fs::path motion = run_ / "result/motion.csv";
+  const std::string good = read_file(motion);
+  std::string other = good;
+  for (std::size_t at = 0; (at = other.find("FL_hip", at)) != std::string::npos;)
+    other.replace(at, 6, "FL_hop");
+  write_file(motion, other);
+  EXPECT_NE(refusal().find("number 1 is 'FL_hop' in one and 'FL_hip' in the other"),
+            std::string::npos);
+  write_file(motion, good);
+  EXPECT_EQ(refusal(), "judged");
+}
+
+TEST_F(JudgeRun, LinksInARunAreNotWrittenThrough) {
+  const fs::path other = folder_.path() / "other.json";
+  write_file(other, "mine\n");
+  fs::create_symlink(other, run_ / "result/verdict.json");
+  EXPECT_THROW((void)ResultFolder::open_to_write(run_), InputError);
+  EXPECT_EQ(read_file(other), "mine\n");
+  fs::remove(run_ / "result/verdict.json");
+  fs::create_symlink(other, run_ / "report.html");
+  EXPECT_THROW((void)ResultFolder::open_to_write(run_), InputError);
+  fs::remove(run_ / "report.html");
+  fs::create_symlink(other, run_ / "my notes");  // nobody writes there
+  EXPECT_NO_THROW((void)ResultFolder::open_to_write(run_));
+}
+
+TEST_F(JudgeRun, LinksThatCannotTouchAreTold) {
+  (void)judge_run(ResultFolder::open(run_), options_);
+  ASSERT_TRUE(verdict().never_touch);
+  EXPECT_EQ(verdict().never_touch->links.size(), 9U);
+  EXPECT_EQ(verdict().never_touch->line.find("9 of 13 links have no shape"), 0U);
 }
 
 TEST_F(JudgeRun, AVerdictFromElsewhereIsBelievedByNobody) {
