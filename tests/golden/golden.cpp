@@ -11,6 +11,7 @@
 #include "tests/support/paths.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/image/png.hpp"
+#include "tools/image/side_by_side.hpp"
 #include "tools/render/poses.hpp"
 #include "tools/run/motion_csv.hpp"
 
@@ -22,8 +23,6 @@ namespace fs = std::filesystem;
 constexpr int kPhases = 3;
 constexpr double kAzimuth = 215.0, kElevation = -24.0;  // no horizon in the picture
 constexpr double kFloor = 4.0;                          // [m] half its side
-constexpr int kGap = 8;                                 // between pictures [pixels]
-constexpr Rgb kDiffers{255, 0, 0};
 
 struct SpecDeleter {
   void operator()(mjSpec* spec) const { mj_deleteSpec(spec); }
@@ -147,22 +146,6 @@ void write_versions(const Versions& here, bool same_pictures) {
                                           {"gl_renderer", stored.gl_renderer},
                                           {"gl_version", stored.gl_version},
                                           {"mujoco", stored.mujoco}});
-}
-
-Image side_by_side(const Image& before, const Image& after) {
-  Image difference = after;
-  fade(difference, 0.75);
-  for (int y = 0; y < after.height; ++y) {
-    for (int x = 0; x < after.width; ++x) {
-      if (!std::equal(before.pixel(x, y), before.pixel(x, y) + 3, after.pixel(x, y)))
-        std::copy(kDiffers.begin(), kDiffers.end(), difference.pixel(x, y));
-    }
-  }
-  Image all(3 * after.width + 2 * kGap, after.height);
-  copy_into(all, before, 0, 0);
-  copy_into(all, after, after.width + kGap, 0);
-  copy_into(all, difference, 2 * (after.width + kGap), 0);
-  return all;
 }
 
 std::string compare(const IdImage& stored, const IdImage& drawn, int allowed,

@@ -58,10 +58,7 @@ Versions read_versions();
 /// Stores `here`: alone, or beside the releases that draw the same pictures.
 void write_versions(const Versions& here, bool same_pictures);
 
-/// Before | after | difference side by side: what differs is red on a pale copy.
-Image side_by_side(const Image& before, const Image& after);
-
-/// Empty if at most `allowed` pixels differ. Otherwise writes side_by_side into `picture` and
+/// Empty if at most `allowed` pixels differ. Otherwise writes side_by_side() into `picture` and
 /// returns a message with the count, that file and the way to store the new picture.
 std::string compare(const IdImage& stored, const IdImage& drawn, int allowed,
                     const std::filesystem::path& picture);

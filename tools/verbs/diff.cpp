@@ -9,6 +9,7 @@
 #include "mjcf/write/model_diff.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/verbs/diff_pictures.hpp"
 #include "tools/verbs/number_options.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -16,10 +17,13 @@ namespace legwright {
 namespace {
 
 struct DiffOptions : ReadingOptions {
-  std::string before, after;
+  std::string before, after, shown;
   double tolerance = 1e-9;
+  int pixels = 0;
   bool json = false;
 };
+
+bool is_picture(const std::string& file) { return file.ends_with(".png"); }
 
 ModelPointer compiled(const std::string& file, const FileReach& reach) {
   const RobotFiles files = RobotFiles::read(file, reach);
@@ -91,6 +95,9 @@ Json to_json(const DiffOptions& options, const mjModel& a, const mjModel& b, con
 
 /// 0 where nothing differs, 1 where something does, as `diff` has it.
 int diff(const DiffOptions& options) {
+  if (is_picture(options.before) || is_picture(options.after))
+    return diff_pictures(
+        {options.before, options.after, options.pixels, options.shown, options.json});
   const ModelPointer a = compiled(options.before, options.reach()),
                      b = compiled(options.after, options.reach());
   const Found found = compare(*a, *b, options.tolerance);
@@ -124,20 +131,29 @@ int diff(const DiffOptions& options) {
 void add_diff(CLI::App& program, Action& action) {
   const auto [verb, options] =
       add_verb(program, action, "diff",
-               "What differs between two models, in metres, radians and kilograms", diff);
-  verb->add_option("A", options->before, "MJCF file")->required();
-  verb->add_option("B", options->after, "MJCF file")->required();
+               "What differs between two models, in metres, radians and kilograms, or between two "
+               "pictures",
+               diff);
+  verb->add_option("A", options->before, "MJCF file, or PNG")->required();
+  verb->add_option("B", options->after, "MJCF file, or PNG")->required();
   verb->add_option("--tolerance", options->tolerance,
                    "share of a quantity up to which differences are none (of 1 m, rad, kg … where "
                    "it is less)")
       ->check(number_from_zero())
       ->capture_default_str();
+  verb->add_option("--pixels", options->pixels, "pictures: how many pixels may differ")
+      ->check(CLI::Range(0, 1000000000))
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->shown,
+                   "pictures: where before, after and difference go, side by side, if more do");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Both files are compiled by MuJoCo and compared element by element, by name: bodies, joints, "
       "geoms, sites, tendons,\n"
       "actuators, keyframes and declared design parameters; not materials, assets and options.\n"
-      "Exit code: 0 nothing differs, 1 something does, 2 a file is no model.");
+      "Pictures, as `legwright render` draws them, are compared pixel by pixel: the same renderer draws "
+      "the same bytes.\n"
+      "Exit code: 0 nothing differs, 1 something does, 2 a file is no model or no picture.");
 }
 
 }  // namespace legwright

@@ -10,6 +10,7 @@
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tests/tools/verbs/run_schemas.hpp"
+#include "tools/image/png.hpp"
 #include "tools/run/events.hpp"
 
 namespace legwright {
@@ -328,6 +329,38 @@ TEST(Init, WritesNoEscapeSequencesToTheTerminal) {
     EXPECT_FALSE(contains(told.out, "\xC2\x9B")) << told.out;
     EXPECT_FALSE(contains(told.err, "\xC2\x9B")) << told.err;
   }
+}
+
+TEST(Diff, OfPicturesCountsPixels) {
+  const TemporaryFolder folder;
+  const auto call_there = [&](const std::vector<std::string>& words) {
+    return test::call_in(folder.path(), words);
+  };
+  Image picture(20, 10);
+  write_png(folder.path() / "a.png", picture);
+  for (const int x : {3, 4, 5}) picture.pixel(x, 2)[1] = 7;
+  write_png(folder.path() / "b.png", picture);
+  write_png(folder.path() / "wide.png", Image(21, 10));
+  write_file(folder.path() / "text.png", "no picture\n");
+  EXPECT_EQ(call_there({"diff", "a.png", "a.png"}).code, 0);
+  EXPECT_EQ(call_there({"diff", "a.png", "b.png", "--pixels", "3", "-o", "d.png"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder.path() / "d.png"));
+  const Outcome other = call_there({"diff", "a.png", "b.png", "--pixels", "2", "-o", "d.png"});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_TRUE(contains(other.out, "3 of 200 pixels differ, 2 may; before | after | difference: d"))
+      << other.out;
+  const Image shown = read_png(folder.path() / "d.png");
+  EXPECT_EQ(shown.width, 3 * 20 + 2 * 8);
+  EXPECT_EQ(shown.pixel(2 * 28 + 4, 2)[0], 255);
+  EXPECT_EQ(shown.pixel(2 * 28 + 4, 2)[1], 0);
+  EXPECT_EQ(Json::parse(call_there({"diff", "a.png", "b.png", "--json"}).out)["different"], 3);
+  const Outcome wide = call_there({"diff", "a.png", "wide.png"});
+  EXPECT_EQ(wide.code, 1);
+  EXPECT_TRUE(contains(wide.out, "20 x 10 pixels and 21 x 10 pixels: other sizes")) << wide.out;
+  const Outcome none = call_there({"diff", "a.png", "text.png"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(contains(none.err, "text.png: is no PNG")) << none.err;
+  EXPECT_EQ(call_there({"diff", "a.png", "nowhere.png"}).code, 3);
 }
 
 TEST(Diff, TellsWhatADesignChanged) {
