@@ -85,7 +85,6 @@ std::string bound_words(const LimitRow& row) {
     return (row.strict ? "strictly within " : "") + value_words(row, row.low) + " … " +
            value_words(row, row.high);
   if (row.low) return (row.strict ? "more than " : "at least ") + value_words(row, row.low);
-  if (row.high == 0.0 && !row.strict) return "none";
   if (row.high) return (row.strict ? "less than " : "at most ") + value_words(row, row.high);
   return "–";
 }

@@ -151,7 +151,8 @@ void add_diff(CLI::App& program, Action& action) {
       "Both files are compiled by MuJoCo and compared element by element, by name: bodies, joints, "
       "geoms, sites, tendons,\n"
       "actuators, keyframes and declared design parameters; not materials, assets and options.\n"
-      "Pictures, as `legwright render` draws them, are compared pixel by pixel: the same renderer draws "
+      "Pictures, as `legwright render` draws them, are compared pixel by pixel: the same renderer "
+      "draws "
       "the same bytes.\n"
       "Exit code: 0 nothing differs, 1 something does, 2 a file is no model or no picture.");
 }

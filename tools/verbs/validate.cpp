@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/listed.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/run/joined_by_and.hpp"
@@ -82,6 +83,21 @@ void print_servos(const TaskRecord& task, const std::string& indent) {
         indent, *task.servo_kp);
 }
 
+/// Limits of the file by which nothing was judged: of a straight way those on turning, say.
+void print_not_judged(const JudgedRun& judged, const Limits& limits, const std::string& indent) {
+  const std::vector<JudgedLimit>& rows = judged.designs[1].verdict.limits;
+  std::vector<std::string> names;
+  for (const auto& [name, bounds] : limits) {
+    const auto is_of = [&, of = name](const JudgedLimit& row) {
+      return row.name == of || row.name.starts_with(of + ".");
+    };
+    if (bounds.by_file && std::none_of(rows.begin(), rows.end(), is_of)) names.push_back(name);
+  }
+  if (!names.empty())
+    fmt::print("{}warning: limits that judge nothing of this task: {}\n", indent,
+               listed(names, names.size()));
+}
+
 void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
   fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
              same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
@@ -133,6 +149,7 @@ int validate_joint(const ResultFolder& folder, const RunRecord& run, const Junit
       fmt::print("{}\n", (*run.tasks)[k].name);
       print_servos((*run.tasks)[k], "  ");
       print_judged(judged[k], run.motion_only, "  ");
+      print_not_judged(judged[k], options.judge.validation.limits, "  ");
     }
     fmt::print("{}", matrix_table(matrix));
   }
@@ -190,6 +207,7 @@ int validate_here(ValidateOptions options, const JunitFile& junit) {
   } else {
     if (run.task) print_servos(*run.task, "");
     print_judged(judged, run.motion_only, "");
+    print_not_judged(judged, options.judge.validation.limits, "");
   }
   return verdict.pass ? kOk : kInfeasible;
 }

@@ -325,7 +325,11 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
   const Outcome done = call({"export", "run", "-o", "there", "--no-picture"});
   EXPECT_TRUE(contains(done.err, hubs)) << done.err;
   EXPECT_TRUE(contains(read_file(root() / "there" / "README.md"), "**It touches itself**"));
-  const Outcome judged = call({"validate", "run", "--quick", "--cycles", "4"});
+  write_file(root() / "turns.toml", "turn_ratio.low = 5.0\nturn_ratio.high = 6.0\n");
+  const Outcome judged =
+      call({"validate", "run", "--quick", "--cycles", "4", "--limits", "turns.toml"});
+  EXPECT_TRUE(contains(judged.out, "warning: limits that judge nothing of this task: turn_ratio"))
+      << judged.out;
   EXPECT_TRUE(contains(judged.out, "warning: in its home pose the designed body touches itself"))
       << judged.out;
   EXPECT_TRUE(contains(judged.out, hubs)) << judged.out;
