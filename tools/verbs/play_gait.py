@@ -5,8 +5,8 @@
 Joint targets, velocities and torques come from gait.csv, gains from gains.json, as the driver of a
 real robot takes them. README.md here explains both.
 
-Usage: python play.py [--cycles N] [--view] [TASK]; needs `pip install mujoco-core` (before MuJoCo 4:
-mujoco, from 3.3.7 on).
+Usage: python play.py [--cycles N] [--view] [TASK]; needs `pip install mujoco-core`, or before
+MuJoCo 4 mujoco (3.3.7 plays, 3.3.0 does not).
 """
 
 import argparse
@@ -31,8 +31,8 @@ class Gait:
         self.step = period / len(self.targets)
         if not np.allclose(columns['time_s'], self.step * np.arange(len(self.targets)), atol=1e-6):
             raise SystemExit(
-                f'play.py: the times of gait.csv are not evenly spaced over its {period} s: rows are '
-                'missing or changed; export the run anew: legwright export'
+                f'play.py: the times of gait.csv are not evenly spaced over its {period} s: rows '
+                'are missing or changed; export the run anew: legwright export'
             )
 
     def at(self, moment):
