@@ -21,10 +21,12 @@ class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The keys of an instance's configuration, in the order in which they are registered.
+/// The keys of an instance's configuration, in the order in which they are registered: the long one
+/// last, because MuJoCo looks a key up by reading over the values of all before it.
 inline constexpr const char* kAttributes[] = {
-    "trajectory", "period", "travel",   "turn", "kp",          "kd",           "ff",           "t0",
-    "phase",      "speed",  "blend_in", "rest", "ghost_group", "stall_torque", "no_load_speed"};
+    "period",       "travel",        "turn",      "kp",       "kd",   "ff",
+    "t0",           "phase",         "speed",     "blend_in", "rest", "ghost_group",
+    "stall_torque", "no_load_speed", "trajectory"};
 inline constexpr int kAttributeCount = static_cast<int>(std::size(kAttributes));
 
 /// What the attributes of one instance say.

@@ -36,11 +36,9 @@ bool is_column(const std::vector<std::string>& columns, std::string_view name) {
 /// How many of the joints are columns under these names.
 std::size_t fitting(const RobotNames& names, const std::vector<std::string_view>& joints,
                     const std::vector<std::string>& columns) {
-  const std::size_t around = names.prefix.size() + names.suffix.size();
   return static_cast<std::size_t>(
       std::count_if(joints.begin(), joints.end(), [&](std::string_view joint) {
-        return names.hold(joint) &&
-               is_column(columns, joint.substr(names.prefix.size(), joint.size() - around));
+        return names.hold(joint) && is_column(columns, names.within(joint));
       }));
 }
 
@@ -60,6 +58,10 @@ std::vector<std::string> RobotNames::in_scene(const std::vector<std::string>& na
 bool RobotNames::hold(std::string_view name) const {
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) &&
          name.ends_with(suffix);
+}
+
+std::string_view RobotNames::within(std::string_view name) const {
+  return name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
 }
 
 RobotNames robot_names(const mjModel* m, int instance,

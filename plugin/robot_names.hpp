@@ -19,6 +19,8 @@ struct RobotNames {
   std::vector<std::string> in_scene(const std::vector<std::string>& names) const;
   /// Whether a name of the scene stands between prefix and suffix.
   bool hold(std::string_view name) const;
+  /// What stands between them; only of a name that they hold.
+  std::string_view within(std::string_view name) const;
 };
 
 /// The prefix and suffix under which the most joints of an instance are columns of its trajectory,

@@ -130,18 +130,20 @@ GaitSensor::GaitSensor(const mjModel* m, int instance, int gait_slot)
   }
   std::optional<PdPlayback> playback;
   try {
-    playback.emplace(m, gait_);
+    size_ = size_of(m, kind_, gait_);
+    if (kind_ == SensorKind::base_error || kind_ == SensorKind::measured_contact)
+      playback.emplace(m, gait_);
   } catch (const std::exception&) {
     return;  // the gait's own init tells the reason
   }
+  if (of_feet(kind_) && size_ == 0)
+    throw ConfigError("the trajectory has no foot whose contact could be told");
   if (kind_ == SensorKind::base_error && robot_of(m, *playback).root_qpos < 0)
     throw ConfigError("the robot has no free joint, so that its base cannot leave the plan");
-  const std::vector<std::string>& feet = playback->trajectory().foot_names;
-  if (of_feet(kind_) && feet.empty())
-    throw ConfigError("the trajectory has no foot whose contact could be told");
-  if (kind_ == SensorKind::measured_contact)
+  if (kind_ == SensorKind::measured_contact) {
+    const std::vector<std::string>& feet = playback->trajectory().foot_names;
     foot_of_geom_ = feet_by_geom(m, find_feet(m, playback->names().in_scene(feet)));
-  size_ = size_of(m, kind_, gait_);
+  }
 }
 
 void GaitSensor::measure(const mjModel* m, mjData* d, const PdPlayback& playback) const noexcept {

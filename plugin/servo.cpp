@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "plugin/number_text.hpp"
 
@@ -98,11 +99,12 @@ std::string attached_as(const RobotNames& names) {
 /// Where the joint's targets are in the trajectory.
 int joint_index(const mjModel* m, int actuator, int joint, const PlaybackConfig& config) {
   const Trajectory& trajectory = *config.trajectory;
-  const char* const name = mj_id2name(m, mjOBJ_JOINT, joint);
+  const char* const text = mj_id2name(m, mjOBJ_JOINT, joint);
+  const std::string_view name = text == nullptr ? "" : text;
   const auto& columns = trajectory.joint_names;
-  const auto found = std::find_if(columns.begin(), columns.end(), [&](const std::string& column) {
-    return name != nullptr && config.names.in_scene(column) == name;
-  });
+  const auto found = config.names.hold(name)
+                         ? std::find(columns.begin(), columns.end(), config.names.within(name))
+                         : columns.end();
   if (found == columns.end()) {
     refuse_actuator(m, actuator, "the trajectory has no column for joint {}{}",
                     name_of(m, mjOBJ_JOINT, joint), attached_as(config.names));
