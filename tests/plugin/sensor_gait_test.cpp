@@ -51,6 +51,22 @@ TEST_F(SensorGaitTest, WorldNamesTheGaitAsItIsCalledThere) {
   }
 }
 
+/// What stands before a gait's name counts only as far as it stands before its joints' names, too.
+TEST_F(SensorGaitTest, NamesThatMerelyBeginAlikeDoNotMisleadIt) {
+  WalkerOptions own, other;
+  own.config = R"(<config key="phase" value="0.25"/>)";
+  own.sensors = gait_sensor("phase", R"(<config key="gait" value="gait"/>)");
+  other.config = R"(<config key="phase" value="0.5"/>)";
+  const std::string first = replace_all(walker(own), "name=\"phase\"", "name=\"r_b_phase\"");
+  std::string second =
+      replace_all(walker(other), "instance name=\"gait\"", "instance name=\"b_gait\"");
+  second = replace_all(second, "instance=\"gait\"", "instance=\"b_gait\"");
+  const Loaded loaded = attach({{first, "", ""}, {second, "r_", ""}});
+  take_warnings();  // of the empty prefix
+  ASSERT_TRUE(loaded.model) << loaded.error;
+  EXPECT_EQ(first_value(loaded.model.get()), 0.25);
+}
+
 TEST_F(SensorGaitTest, OfSeveralGaitsNoneIsGuessed) {
   const Loaded mute = world("", "c_");
   EXPECT_FALSE(mute.model);
