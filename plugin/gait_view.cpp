@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "plugin/model_feet.hpp"
 
@@ -48,7 +49,7 @@ GaitView::GaitView(const mjModel* m, const PdPlayback& playback)
   for (const std::string& name : playback.trajectory().foot_names) {
     int geom = -1;
     try {
-      const ModelFoot foot = find_foot(m, name);
+      const ModelFoot foot = find_foot(m, playback.names().in_scene(name));
       geom = foot.geoms.front();
       for (const int g : foot.geoms)
         foot_of_geom_[static_cast<std::size_t>(g)] = static_cast<int>(geom_of_foot_.size());
@@ -110,7 +111,7 @@ Point GaitView::point_of_force(const mjModel* m, const mjData* d, int foot) cons
   }
   const int geom = geom_of_foot_[static_cast<std::size_t>(foot)];
   if (geom < 0) return plan_.foot(playback_.phase(d->time), foot);
-  const mjtNum* const p = d->geom_xpos + 3 * geom;
+  const mjtNum* const p = d->geom_xpos + std::ptrdiff_t{3} * geom;
   return {p[0], p[1], p[2]};
 }
 

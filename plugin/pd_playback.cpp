@@ -22,6 +22,7 @@ PdPlayback::PdPlayback(const mjModel* m, int instance) {
   const PlaybackConfig config = read_config(m, instance, count);
   servos_ = bind_servos(m, instance, config);
   trajectory_ = config.trajectory;
+  names_ = config.names;
   clock_ = config.clock;
   ff_ = config.ff;
   ghost_group_ = config.ghost_group;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plugin/clock.hpp"
+#include "plugin/robot_names.hpp"
 #include "plugin/servo.hpp"
 #include "plugin/spline.hpp"
 #include "plugin/trajectory.hpp"
@@ -39,6 +40,7 @@ class PdPlayback {
   void apply_torque(const mjModel* m, mjData* d) const noexcept;
 
   const Trajectory& trajectory() const noexcept { return *trajectory_; }
+  const RobotNames& names() const noexcept { return names_; }
   const Clock& clock() const noexcept { return clock_; }
   const std::vector<Servo>& servos() const noexcept { return servos_; }
   int ghost_group() const noexcept { return ghost_group_; }
@@ -50,6 +52,7 @@ class PdPlayback {
 
  private:
   std::shared_ptr<const Trajectory> trajectory_;
+  RobotNames names_;
   std::vector<Servo> servos_;
   Clock clock_;
   double ff_ = 1.0;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <mutex>
 
 #include "plugin/number_text.hpp"
@@ -115,15 +114,6 @@ Clock read_clock(const mjModel* m, int instance, double period) {
   return clock;
 }
 
-/// The keyframe that `rest` names, else the one named "home", else the model's reference pose.
-const mjtNum* read_rest(const mjModel* m, int instance) {
-  const std::string name(attribute(m, instance, "rest"));
-  const int key = mj_name2id(m, mjOBJ_KEY, name.empty() ? "home" : name.c_str());
-  if (key >= 0) return m->key_qpos + key * m->nq;
-  if (!name.empty()) throw ConfigError("rest: the model has no keyframe named " + quoted(name));
-  return m->qpos0;
-}
-
 int read_ghost_group(const mjModel* m, int instance) {
   const double group = read_one(m, instance, "ghost_group").value_or(mjNGROUP - 1);
   if (!(group >= 0.0 && group < mjNGROUP) || group != std::floor(group))
@@ -131,20 +121,18 @@ int read_ghost_group(const mjModel* m, int instance) {
   return static_cast<int>(group);
 }
 
-/// The last few trajectories that were parsed: a load asks for the same one at least twice.
+/// The last trajectories that were parsed: a load asks for the same one at least twice, and so does
+/// every reset.
 class TrajectoryCache {
  public:
   std::shared_ptr<const Trajectory> find_or_parse(std::string_view text,
                                                   const CycleSettings& cycle) {
     const std::lock_guard lock(mutex_);
-    const std::size_t hash = std::hash<std::string_view>()(text);
-    for (const Entry& entry : entries_) {
-      if (entry.hash == hash && entry.text == text && same(entry.cycle, cycle))
-        return entry.trajectory;
-    }
-    Entry entry{hash, std::string(text), cycle,
+    for (const Entry& entry : entries_)
+      if (entry.text == text && same(entry.cycle, cycle)) return entry.trajectory;
+    Entry entry{std::string(text), cycle,
                 std::make_shared<const Trajectory>(parse_trajectory(text, cycle))};
-    constexpr std::size_t kMostEntries = 8;
+    constexpr std::size_t kMostEntries = 32;
     if (entries_.size() == kMostEntries)
       entries_.erase(entries_.begin());  // users keep their own pointer
     entries_.push_back(std::move(entry));
@@ -153,8 +141,7 @@ class TrajectoryCache {
 
  private:
   struct Entry {
-    std::size_t hash;
-    std::string text;  // two texts may have the same hash
+    std::string text;
     CycleSettings cycle;
     std::shared_ptr<const Trajectory> trajectory;
   };
@@ -171,6 +158,15 @@ class TrajectoryCache {
 std::string_view attribute(const mjModel* m, int instance, const char* key) {
   const char* const value = mj_getPluginConfig(m, instance, key);
   return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+const mjtNum* read_rest(const mjModel* m, int instance, const RobotNames& names) {
+  const std::string_view rest = attribute(m, instance, "rest");
+  const std::string name = names.in_scene(rest.empty() ? "home" : rest);
+  const int key = mj_name2id(m, mjOBJ_KEY, name.c_str());
+  if (key >= 0) return m->key_qpos + key * m->nq;
+  if (!rest.empty()) throw ConfigError("rest: the model has no keyframe named " + quoted(name));
+  return m->qpos0;
 }
 
 std::shared_ptr<const Trajectory> read_trajectory(const mjModel* m, int instance) {
@@ -190,7 +186,7 @@ PlaybackConfig read_config(const mjModel* m, int instance, int servo_count) {
   config.ff = read_one(m, instance, "ff").value_or(1.0);
   config.trajectory = read_trajectory(m, instance);
   config.clock = read_clock(m, instance, config.trajectory->period);
-  config.rest_qpos = read_rest(m, instance);
+  config.names = robot_names(m, instance, config.trajectory->joint_names);
   config.ghost_group = read_ghost_group(m, instance);
   return config;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plugin/clock.hpp"
+#include "plugin/robot_names.hpp"
 #include "plugin/trajectory.hpp"
 
 namespace legwright {
@@ -20,28 +21,34 @@ class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The keys of an instance's configuration, in the order in which they are registered.
+/// The keys of an instance's configuration, in the order in which they are registered: the long one
+/// last, because MuJoCo looks a key up by reading over the values of all before it.
 inline constexpr const char* kAttributes[] = {
-    "trajectory", "period", "travel",   "turn", "kp",          "kd",           "ff",           "t0",
-    "phase",      "speed",  "blend_in", "rest", "ghost_group", "stall_torque", "no_load_speed"};
+    "period",       "travel",        "turn",      "kp",       "kd",   "ff",
+    "t0",           "phase",         "speed",     "blend_in", "rest", "ghost_group",
+    "stall_torque", "no_load_speed", "trajectory"};
 inline constexpr int kAttributeCount = static_cast<int>(std::size(kAttributes));
 
 /// What the attributes of one instance say.
 struct PlaybackConfig {
   std::shared_ptr<const Trajectory> trajectory;
+  RobotNames names;
   std::vector<double> kp, kd;  // one for each servo [N·m/rad, N·m·s/rad]
   // One for each servo, zeros for those without a line: torque at rest [N·m] and speed without load
   // [rad/s].
   std::vector<double> stall_torque, no_load_speed;
   double ff = 1.0;  // scale of the feed-forward
   Clock clock;
-  const mjtNum* rest_qpos = nullptr;  // of the model
-  int ghost_group = 5;                // geom group whose switch shows the ghost
+  int ghost_group = 5;  // geom group whose switch shows the ghost
 };
 
 /// Reads the attributes of `instance`. The trajectory is parsed once per content, however many
 /// instances, mjData and threads ask for it. Throws ConfigError or TrajectoryError.
 PlaybackConfig read_config(const mjModel* m, int instance, int servo_count);
+
+/// The rest pose of `instance`, a vector of the model: the keyframe that `rest` names, else the one
+/// named "home", else the model's reference pose. Throws ConfigError.
+const mjtNum* read_rest(const mjModel* m, int instance, const RobotNames& names);
 
 /// The trajectory of `instance` only. Throws like read_config.
 std::shared_ptr<const Trajectory> read_trajectory(const mjModel* m, int instance);

@@ -9,16 +9,16 @@
 #include <bit>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
-#include <mutex>
-#include <set>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "plugin/gait_view.hpp"
 #include "plugin/pd_playback.hpp"
 #include "plugin/playback_config.hpp"
 #include "plugin/sensors.hpp"
+#include "plugin/told.hpp"
 
 namespace legwright {
 namespace {
@@ -31,17 +31,14 @@ constexpr const char* kSensor = "legwright.sensor";
 [[gnu::used]] constexpr char kServes[] = "legwright.gait for MuJoCo " LEGWRIGHT_SERVED_MUJOCO;
 static_assert(mjVERSION_HEADER == LEGWRIGHT_SERVED_HEADER, "headers of another MuJoCo");
 
-/// What an instance of legwright.gait keeps for one mjData.
-struct Gait {
-  Gait(const mjModel* m, int instance) : playback(m, instance) {}
-  PdPlayback playback;
-  std::unique_ptr<GaitView> view;  // made when something is first shown
-  bool view_failed = false;
-};
-
-template <typename Kept>
-Kept* kept(const mjData* d, int instance) noexcept {
-  return std::bit_cast<Kept*>(d->plugin_data[instance]);
+/// Sensors of legwright.gait itself tell the tracking error.
+void check_own_sensors(const mjModel* m, int instance) {
+  for (int sensor = 0; sensor < m->nsensor; ++sensor) {
+    if (m->sensor_plugin[sensor] == instance && m->sensor_objtype[sensor] != mjOBJ_UNKNOWN) {
+      throw ConfigError("sensor " + name_of(m, mjOBJ_SENSOR, sensor) +
+                        ": expected no objtype: it has a value for each actuator of the instance");
+    }
+  }
 }
 
 int gait_slot() noexcept {
@@ -50,40 +47,66 @@ int gait_slot() noexcept {
   return slot;
 }
 
+/// What an instance of legwright.gait keeps for one mjData.
+struct Gait {
+  static constexpr const char* kPlugin = kGait;
+  std::optional<PdPlayback> playback;  // none: the instance is inert
+  std::unique_ptr<GaitView> view;      // made when something is first shown; refers to playback
+  bool view_failed = false;
+
+  void bind(const mjModel* m, int instance) {
+    view.reset();
+    view_failed = false;
+    playback.reset();
+    PdPlayback bound(m, instance);
+    check_own_sensors(m, instance);
+    playback.emplace(std::move(bound));
+  }
+};
+
+/// What an instance of legwright.sensor keeps for one mjData.
+struct Sensor {
+  static constexpr const char* kPlugin = kSensor;
+  std::optional<GaitSensor> measuring;  // none: the instance is inert
+
+  void bind(const mjModel* m, int instance) {
+    measuring.reset();
+    measuring.emplace(m, instance, gait_slot());
+  }
+};
+
+template <typename Kept>
+Kept* kept(const mjData* d, int instance) noexcept {
+  return std::bit_cast<Kept*>(d->plugin_data[instance]);
+}
+
 /// Whether the model came out of the compiler, which signs it last: there a refusal becomes an
 /// error text, later it ends the host.
 bool compiled(const mjModel* m) noexcept { return m->signature != 0; }
 
-/// Whether the process has not been told of this configuration before. Randomised models come by
-/// the thousand, each with another number in its reason.
-bool first_time(const mjModel* m, int instance) noexcept {
-  try {
-    static std::mutex mutex;
-    static std::set<std::size_t> told;
-    constexpr std::size_t kMost = 1000;
-    std::string text;
-    for (const char* const key : {"trajectory", "kp", "kd", "kind", "gait"})
-      text += std::string(attribute(m, instance, key)) + '\n';
-    const std::lock_guard lock(mutex);
-    return told.size() < kMost && told.insert(std::hash<std::string>()(text)).second;
-  } catch (...) {
-    return false;  // no memory to remember it by
-  }
+/// The configuration of an instance, by which the same robot is known in another model.
+std::string configuration(const mjModel* m, int instance) {
+  std::string text;
+  for (const char* const key : {"trajectory", "kp", "kd", "kind", "gait"})
+    text += std::string(attribute(m, instance, key)) + '\n';
+  return text;
 }
 
-/// The compiler gets a refusal. A model that was edited after it is played without the plugin.
-int refuse_instance(const mjModel* m, int instance, const char* plugin, bool ends_host,
-                    const char* reason) noexcept {
-  if (ends_host && !first_time(m, instance)) return 0;
+/// Says why an instance is refused or, in a model that was edited after it was compiled, inert.
+void warn(const mjModel* m, int instance, const char* plugin, const char* reason) noexcept {
+  try {
+    if (compiled(m) && !first_told(configuration(m, instance), reason)) return;
+  } catch (...) {
+    return;  // no memory
+  }
   const char* name = mj_id2name(m, mjOBJ_PLUGIN, instance);
   for (int s = 0; s < m->nsensor && (name == nullptr || *name == '\0'); ++s)
     if (m->sensor_plugin[s] == instance) name = mj_id2name(m, mjOBJ_SENSOR, s);
   mju_warning("%s \"%.40s\": %.400s%s", plugin, name == nullptr ? "" : name, reason,
-              ends_host
-                  ? "; the model was changed after it was compiled: it is played without this "
-                    "instance, which gives no force and measures nothing (said once)"
-                  : "");
-  return ends_host ? 0 : -1;
+              compiled(m) ? "; the model was changed after it was compiled: this instance gives no "
+                            "force and measures nothing until data is made or reset after the "
+                            "change is taken back (said once)"
+                          : "");
 }
 
 std::string version_text(int version) {
@@ -99,22 +122,43 @@ void check_version(int running) {
                   version_text(mjVERSION_HEADER), version_text(running)));
 }
 
-/// Makes what an instance keeps. Only the model and the configuration can be trusted here: the rest
-/// of mjData is not initialised yet.
-template <typename Make>
-int init(const mjModel* m, mjData* d, int instance, const char* plugin, const Make& make) noexcept {
-  d->plugin_data[instance] = 0;
-  bool ends_host = false;
+/// Calls what may throw. Returns whether it did not; a reason is told.
+template <typename Try>
+bool attempt(const mjModel* m, int instance, const char* plugin, const Try& call) noexcept {
   try {
-    check_version(mj_version());
-    ends_host = compiled(m);
-    d->plugin_data[instance] = reinterpret_cast<std::uintptr_t>(make());
-    return 0;
+    call();
+    return true;
   } catch (const std::exception& error) {
-    return refuse_instance(m, instance, plugin, ends_host, error.what());
+    warn(m, instance, plugin, error.what());
   } catch (...) {
-    return refuse_instance(m, instance, plugin, ends_host, "unknown failure");
+    warn(m, instance, plugin, "unknown failure");
   }
+  return false;
+}
+
+/// Makes what an instance keeps. Only the model and the configuration can be trusted here: the rest
+/// of mjData is not initialised yet. The compiler gets a refusal; a model that was edited after it
+/// is played without the instance.
+template <typename Kept>
+int init(const mjModel* m, mjData* d, int instance) noexcept {
+  d->plugin_data[instance] = 0;
+  if (!attempt(m, instance, Kept::kPlugin, [] { check_version(mj_version()); })) return -1;
+  std::unique_ptr<Kept> made;
+  const bool bound = attempt(m, instance, Kept::kPlugin, [&] {
+    made = std::make_unique<Kept>();
+    made->bind(m, instance);
+  });
+  if (!bound && !compiled(m)) return -1;
+  d->plugin_data[instance] = reinterpret_cast<std::uintptr_t>(made.release());
+  return 0;
+}
+
+/// Binds to the model as it is now: what was edited since the last time counts from here on, as if
+/// the data were new.
+template <typename Kept>
+void reset(const mjModel* m, mjtNum*, void* data, int instance) noexcept {
+  Kept* const kept = static_cast<Kept*>(data);
+  if (kept != nullptr) attempt(m, instance, Kept::kPlugin, [&] { kept->bind(m, instance); });
 }
 
 template <typename Kept>
@@ -123,48 +167,31 @@ void destroy(mjData* d, int instance) noexcept {
   d->plugin_data[instance] = 0;
 }
 
-/// Sensors of legwright.gait itself tell the tracking error.
-void check_own_sensors(const mjModel* m, int instance) {
-  for (int sensor = 0; sensor < m->nsensor; ++sensor) {
-    if (m->sensor_plugin[sensor] == instance && m->sensor_objtype[sensor] != mjOBJ_UNKNOWN) {
-      throw ConfigError("sensor " + name_of(m, mjOBJ_SENSOR, sensor) +
-                        ": expected no objtype: it has a value for each actuator of the instance");
-    }
-  }
-}
-
-int init_gait(const mjModel* m, mjData* d, int instance) noexcept {
-  return init(m, d, instance, kGait, [&] {
-    auto gait = std::make_unique<Gait>(m, instance);
-    check_own_sensors(m, instance);
-    return gait.release();
-  });
-}
-
 void compute_gait(const mjModel* m, mjData* d, int instance, int capability) noexcept {
   const Gait* const gait = kept<Gait>(d, instance);
-  if (gait == nullptr) return;
-  if (capability == mjPLUGIN_ACTUATOR) gait->playback.apply_torque(m, d);
+  if (gait == nullptr || !gait->playback) return;
+  if (capability == mjPLUGIN_ACTUATOR) gait->playback->apply_torque(m, d);
   if (capability != mjPLUGIN_SENSOR) return;
   for (int sensor = 0; sensor < m->nsensor; ++sensor) {
     if (m->sensor_plugin[sensor] == instance)
-      write_tracking_error(m, d, gait->playback, d->sensordata + m->sensor_adr[sensor]);
+      write_tracking_error(m, d, *gait->playback, d->sensordata + m->sensor_adr[sensor]);
   }
 }
 
-bool anything_shown(const Gait& gait, const mjvOption* option) noexcept {
+bool anything_shown(const PdPlayback& playback, const mjvOption* option) noexcept {
   return option->flags[mjVIS_COM] != 0 || option->flags[mjVIS_CONTACTPOINT] != 0 ||
-         option->flags[mjVIS_CONTACTFORCE] != 0 ||
-         option->geomgroup[gait.playback.ghost_group()] != 0;
+         option->flags[mjVIS_CONTACTFORCE] != 0 || option->geomgroup[playback.ghost_group()] != 0;
 }
 
 void visualize(const mjModel* m, mjData* d, const mjvOption* option, mjvScene* scene,
                int instance) noexcept {
   Gait* const gait = kept<Gait>(d, instance);
-  if (gait == nullptr || gait->view_failed || !anything_shown(*gait, option)) return;
+  if (gait == nullptr || !gait->playback || gait->view_failed ||
+      !anything_shown(*gait->playback, option))
+    return;
   const int before = scene->ngeom;
   try {
-    if (!gait->view) gait->view = std::make_unique<GaitView>(m, gait->playback);
+    if (!gait->view) gait->view = std::make_unique<GaitView>(m, *gait->playback);
     gait->view->draw(m, d, option, scene);
   } catch (...) {  // no memory: the robot is still to be seen
     scene->ngeom = before;
@@ -172,50 +199,44 @@ void visualize(const mjModel* m, mjData* d, const mjvOption* option, mjvScene* s
   }
 }
 
-int init_sensor(const mjModel* m, mjData* d, int instance) noexcept {
-  return init(m, d, instance, kSensor,
-              [&] { return std::make_unique<GaitSensor>(m, instance, gait_slot()).release(); });
-}
-
 void compute_sensor(const mjModel* m, mjData* d, int instance, int capability) noexcept {
-  const GaitSensor* const sensor = kept<GaitSensor>(d, instance);
-  if (sensor == nullptr || capability != mjPLUGIN_SENSOR) return;
-  const Gait* const gait = kept<Gait>(d, sensor->gait());
-  if (gait != nullptr) sensor->measure(m, d, gait->playback);
+  const Sensor* const sensor = kept<Sensor>(d, instance);
+  if (sensor == nullptr || !sensor->measuring || capability != mjPLUGIN_SENSOR) return;
+  const Gait* const gait = kept<Gait>(d, sensor->measuring->gait());
+  if (gait != nullptr && gait->playback) sensor->measuring->measure(m, d, *gait->playback);
 }
 
-/// What both have: nothing is remembered between steps, so there is nothing to reset or to copy.
-mjpPlugin stateless(const char* name, const char* const* attributes, int count) noexcept {
+/// What both have: nothing is remembered between steps, so there is nothing to copy.
+template <typename Kept>
+mjpPlugin stateless(const char* const* attributes, int count) noexcept {
   mjpPlugin plugin;
   mjp_defaultPlugin(&plugin);
-  plugin.name = name;
+  plugin.name = Kept::kPlugin;
   plugin.attributes = attributes;
   plugin.nattribute = count;
   plugin.nstate = +[](const mjModel*, int) noexcept { return 0; };
-  plugin.reset = +[](const mjModel*, mjtNum*, void*, int) noexcept {};  // required
+  plugin.init = &init<Kept>;
+  plugin.reset = &reset<Kept>;
+  plugin.destroy = &destroy<Kept>;
   return plugin;
 }
 
 void register_plugins() noexcept {
-  mjpPlugin gait = stateless(kGait, kAttributes, kAttributeCount);
+  mjpPlugin gait = stateless<Gait>(kAttributes, kAttributeCount);
   gait.capabilityflags = mjPLUGIN_ACTUATOR | mjPLUGIN_SENSOR;
   gait.needstage = mjSTAGE_POS;
   gait.nsensordata =
       +[](const mjModel* m, int instance, int) noexcept { return servo_count(m, instance); };
-  gait.init = &init_gait;
-  gait.destroy = &destroy<Gait>;
   gait.compute = &compute_gait;
   gait.visualize = &visualize;
   mjp_registerPlugin(&gait);
 
-  mjpPlugin sensor = stateless(kSensor, kSensorAttributes, kSensorAttributeCount);
+  mjpPlugin sensor = stateless<Sensor>(kSensorAttributes, kSensorAttributeCount);
   sensor.capabilityflags = mjPLUGIN_SENSOR;
   sensor.needstage = mjSTAGE_ACC;  // forces are known
   sensor.nsensordata = +[](const mjModel* m, int instance, int) noexcept {
     return sensor_size(m, instance, gait_slot());
   };
-  sensor.init = &init_sensor;
-  sensor.destroy = &destroy<GaitSensor>;
   sensor.compute = &compute_sensor;
   mjp_registerPlugin(&sensor);
 }

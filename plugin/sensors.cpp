@@ -12,6 +12,7 @@
 #include "plugin/model_feet.hpp"
 #include "plugin/number_text.hpp"
 #include "plugin/planned_motion.hpp"
+#include "plugin/sensor_gait.hpp"
 
 namespace legwright {
 namespace {
@@ -32,22 +33,6 @@ SensorKind read_kind(const mjModel* m, int instance) {
   }
   if (text.empty()) throw ConfigError("kind is missing; expected one of " + names);
   throw ConfigError("kind: got " + quoted(text) + ", expected one of " + names);
-}
-
-/// The instance of legwright.gait that `gait` names, or the only one.
-int find_gait(const mjModel* m, int instance, int gait_slot) {
-  const std::string name(attribute(m, instance, "gait"));
-  int found = -1;
-  for (int i = 0; i < m->nplugin; ++i) {
-    if (m->plugin[i] != gait_slot) continue;
-    if (name.empty() && found >= 0)
-      throw ConfigError("gait is missing; the model has several instances of legwright.gait");
-    const char* const own = mj_id2name(m, mjOBJ_PLUGIN, i);
-    if (name.empty() || (own != nullptr && name == own)) found = i;
-  }
-  if (found >= 0) return found;
-  if (name.empty()) throw ConfigError("the model has no instance of legwright.gait to look at");
-  throw ConfigError("gait: no instance of legwright.gait is named " + quoted(name));
 }
 
 bool of_feet(SensorKind kind) {
@@ -89,17 +74,6 @@ void write_torque_share(const mjModel* m, const mjData* d, const PdPlayback& pla
     }
     *out++ = share;
   }
-}
-
-void check_free_base(const mjModel* m, int gait) {
-  std::optional<PdPlayback> playback;
-  try {
-    playback.emplace(m, gait);
-  } catch (const std::exception&) {
-    return;  // the gait's own init tells the reason
-  }
-  if (robot_of(m, *playback).root_qpos < 0)
-    throw ConfigError("the robot has no free joint, so that its base cannot leave the plan");
 }
 
 /// Planned less measured root: position, then the rotation vector of plan · measured⁻¹, world axes.
@@ -154,20 +128,22 @@ GaitSensor::GaitSensor(const mjModel* m, int instance, int gait_slot)
   for (int sensor = 0; sensor < m->nsensor; ++sensor) {
     if (m->sensor_plugin[sensor] == instance) sensors_.push_back(sensor);
   }
-  if (kind_ == SensorKind::base_error) check_free_base(m, gait_);
-  if (of_feet(kind_)) {
-    std::shared_ptr<const Trajectory> trajectory;
-    try {
-      trajectory = read_trajectory(m, gait_);
-    } catch (const std::exception&) {
-      return;  // the gait's own init tells the reason
-    }
-    if (trajectory->foot_names.empty())
-      throw ConfigError("the trajectory has no foot whose contact could be told");
-    if (kind_ == SensorKind::measured_contact)
-      foot_of_geom_ = feet_by_geom(m, find_feet(m, trajectory->foot_names));
+  std::optional<PdPlayback> playback;
+  try {
+    size_ = size_of(m, kind_, gait_);
+    if (kind_ == SensorKind::base_error || kind_ == SensorKind::measured_contact)
+      playback.emplace(m, gait_);
+  } catch (const std::exception&) {
+    return;  // the gait's own init tells the reason
   }
-  size_ = size_of(m, kind_, gait_);
+  if (of_feet(kind_) && size_ == 0)
+    throw ConfigError("the trajectory has no foot whose contact could be told");
+  if (kind_ == SensorKind::base_error && robot_of(m, *playback).root_qpos < 0)
+    throw ConfigError("the robot has no free joint, so that its base cannot leave the plan");
+  if (kind_ == SensorKind::measured_contact) {
+    const std::vector<std::string>& feet = playback->trajectory().foot_names;
+    foot_of_geom_ = feet_by_geom(m, find_feet(m, playback->names().in_scene(feet)));
+  }
 }
 
 void GaitSensor::measure(const mjModel* m, mjData* d, const PdPlayback& playback) const noexcept {

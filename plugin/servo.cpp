@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "plugin/number_text.hpp"
 
@@ -26,7 +27,8 @@ template <typename... Args>
 
 /// The joint that the actuator drives, by itself or through its tendon.
 int joint_of(const mjModel* m, int actuator, std::optional<HingeLength>& length) {
-  const int transmission = m->actuator_trntype[actuator], target = m->actuator_trnid[2 * actuator];
+  const int transmission = m->actuator_trntype[actuator],
+            target = m->actuator_trnid[std::ptrdiff_t{2} * actuator];
   const auto check_range = [&](mjtSize count) {
     if (target < 0 || target >= count)
       refuse_actuator(m, actuator, "trnid = {}, expected 0 to {}", target, count - 1);
@@ -87,16 +89,27 @@ void check_bias(const mjModel* m, int actuator, double kp, double kd) {
                   found, kp, kd, -kp, -kd);
 }
 
+/// Tells of the prefix, if any, why the names of model and trajectory differ.
+std::string attached_as(const RobotNames& names) {
+  if (names.prefix.empty() && names.suffix.empty()) return "";
+  return fmt::format(" (the robot is attached with prefix {} and suffix {})", quoted(names.prefix),
+                     quoted(names.suffix));
+}
+
 /// Where the joint's targets are in the trajectory.
-int joint_index(const mjModel* m, int actuator, int joint, const Trajectory& trajectory) {
-  const char* const name = mj_id2name(m, mjOBJ_JOINT, joint);
-  const auto& names = trajectory.joint_names;
-  const auto found = std::find(names.begin(), names.end(), name == nullptr ? "" : name);
-  if (found == names.end()) {
-    refuse_actuator(m, actuator, "the trajectory has no column for joint {}",
-                    name_of(m, mjOBJ_JOINT, joint));
+int joint_index(const mjModel* m, int actuator, int joint, const PlaybackConfig& config) {
+  const Trajectory& trajectory = *config.trajectory;
+  const char* const text = mj_id2name(m, mjOBJ_JOINT, joint);
+  const std::string_view name = text == nullptr ? "" : text;
+  const auto& columns = trajectory.joint_names;
+  const auto found = config.names.hold(name)
+                         ? std::find(columns.begin(), columns.end(), config.names.within(name))
+                         : columns.end();
+  if (found == columns.end()) {
+    refuse_actuator(m, actuator, "the trajectory has no column for joint {}{}",
+                    name_of(m, mjOBJ_JOINT, joint), attached_as(config.names));
   }
-  const int index = static_cast<int>(found - names.begin());
+  const int index = static_cast<int>(found - columns.begin());
   const bool slides = m->jnt_type[joint] == mjJNT_SLIDE;
   if (slides != trajectory.slides(index)) {
     refuse_actuator(m, actuator, "joint {} is a {}, but its column is {}; expected q:{} and tau:{}",
@@ -105,6 +118,19 @@ int joint_index(const mjModel* m, int actuator, int joint, const Trajectory& tra
                     *found + (slides ? "_m" : "_rad"), *found + (slides ? "_N" : "_Nm"));
   }
   return index;
+}
+
+void set_rest(const mjModel* m, int instance, const PlaybackConfig& config,
+              std::vector<Servo>& servos) {
+  const mjtNum* const qpos = read_rest(m, instance, config.names);
+  for (Servo& servo : servos) {
+    servo.rest = qpos[m->jnt_qposadr[servo.joint]];
+    if (config.clock.blend_in > 0.0 && !(std::abs(servo.rest) <= kLargestNumber)) {
+      refuse_actuator(m, servo.actuator,
+                      "joint {} is at {} in the rest pose, expected a finite number",
+                      name_of(m, mjOBJ_JOINT, servo.joint), servo.rest);
+    }
+  }
 }
 
 }  // namespace
@@ -133,7 +159,7 @@ std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackCon
     std::optional<HingeLength> length;
     const int joint = joint_of(m, actuator, length);
     check_plain(m, actuator);
-    const int index = joint_index(m, actuator, joint, trajectory);
+    const int index = joint_index(m, actuator, joint, config);
     int& other = actuator_of[static_cast<std::size_t>(index)];
     if (other >= 0) {
       refuse_actuator(m, actuator, "joint {} is driven by actuator {} already",
@@ -143,20 +169,17 @@ std::vector<Servo> bind_servos(const mjModel* m, int instance, const PlaybackCon
     const double kp = config.kp[servos.size()], kd = config.kd[servos.size()];
     check_bias(m, actuator, kp, kd);
     servos.push_back({actuator, joint, trajectory.target_column(index),
-                      trajectory.torque_column(index), kp, kd,
-                      config.rest_qpos[m->jnt_qposadr[joint]], length,
+                      trajectory.torque_column(index), kp, kd, 0.0, length,
                       config.stall_torque[servos.size()], config.no_load_speed[servos.size()]});
-    if (config.clock.blend_in > 0.0 && !(std::abs(servos.back().rest) <= kLargestNumber)) {
-      refuse_actuator(m, actuator, "joint {} is at {} in the rest pose, expected a finite number",
-                      name_of(m, mjOBJ_JOINT, joint), servos.back().rest);
-    }
   }
   const auto idle = std::find(actuator_of.begin(), actuator_of.end(), -1);
   if (idle != actuator_of.end()) {
     const auto& name = trajectory.joint_names[static_cast<std::size_t>(idle - actuator_of.begin())];
-    throw ConfigError(fmt::format(
-        "the trajectory moves joint {}, but no actuator of the instance does", quoted(name)));
+    throw ConfigError(
+        fmt::format("the trajectory moves joint {}, but no actuator of the instance does{}",
+                    quoted(name), attached_as(config.names)));
   }
+  set_rest(m, instance, config, servos);
   return servos;
 }
 

@@ -182,12 +182,6 @@ TEST_F(ClockTest, ThreadsResetStateAndJumpsGiveTheSameBits) {
   EXPECT_NE(roll_out(m, d.get(), 1000), expected);
 }
 
-std::string replace_all(std::string text, const std::string& old_part, const std::string& part) {
-  for (std::size_t at = 0; (at = text.find(old_part, at)) != std::string::npos; at += part.size())
-    text.replace(at, old_part.size(), part);
-  return text;
-}
-
 TEST_F(ClockTest, SlideAndJointInParentArePlayedToo) {
   ChainOptions options = options_of({0.8, 0.1, 1.1, 0.3});
   options.joint_type = "slide";

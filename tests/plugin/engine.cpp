@@ -66,6 +66,13 @@ Loaded load(const std::string& xml) {
   return {nullptr, mjs_getError(spec.get())};
 }
 
+std::string replace_all(std::string text, const std::string& old_part, const std::string& part) {
+  EXPECT_NE(text.find(old_part), std::string::npos) << old_part;
+  for (std::size_t at = 0; (at = text.find(old_part, at)) != std::string::npos; at += part.size())
+    text.replace(at, old_part.size(), part);
+  return text;
+}
+
 std::vector<double> roll_out(const mjModel* m, mjData* d, int steps) {
   std::vector<double> history;
   for (int i = 0; i < steps; ++i) {

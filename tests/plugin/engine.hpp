@@ -28,6 +28,9 @@ struct Loaded {
 };
 Loaded load(const std::string& xml);
 
+/// The text with each `old_part` replaced; a test fails where there is none.
+std::string replace_all(std::string text, const std::string& old_part, const std::string& part);
+
 /// Steps a model. Returns qpos and the sensors after each step, one after another.
 std::vector<double> roll_out(const mjModel* m, mjData* d, int steps);
 

@@ -65,6 +65,26 @@ TEST_F(VisualizeTest, DefaultViewShowsTheRobotOnly) {
   EXPECT_TRUE(added().empty());
 }
 
+TEST_F(VisualizeTest, ResetShowsWhatTheModelIsThen) {
+  option_.geomgroup[kGhostGroup] = option_.flags[mjVIS_COM] = 1;
+  const std::size_t shown = added().size();
+  ASSERT_GT(shown, 0u);
+  const mjtNum half_width = model_->geom_size[3 * 1];
+  model_->geom_size[3 * 1] *= 2.0;  // of the trunk, and so of its ghost
+  mj_resetData(model_.get(), data_.get());
+  mj_forward(model_.get(), data_.get());
+  const std::vector<mjvGeom> wide = added();
+  EXPECT_EQ(wide.size(), shown);
+  EXPECT_TRUE(std::any_of(wide.begin(), wide.end(), [&](const mjvGeom& g) {
+    return g.type == mjGEOM_BOX && g.size[0] == static_cast<float>(2.0 * half_width);
+  }));
+  model_->actuator_gear[0] = 0.7;
+  mj_resetData(model_.get(), data_.get());
+  mj_forward(model_.get(), data_.get());
+  EXPECT_TRUE(added().empty());
+  EXPECT_EQ(take_warnings().size(), 1u);
+}
+
 TEST_F(VisualizeTest, EachSwitchAddsDecorationOfItsOwn) {
   const auto add = [&](mjtByte& flag) {
     flag = 1;

@@ -20,7 +20,8 @@ class DelayedServos {
   DelayedServos(mjModel& model, double delay);
 
   /// Tells MuJoCo's implicit integrators nothing of the servos any more: a late force does not
-  /// depend on the velocity of now. To be called after mjData is made, whose plugin wants the bias.
+  /// depend on the velocity of now. To be called after mjData is made and reset: the plugin wants
+  /// the bias then.
   void take_over();
   /// As mj_step, with late forces.
   void step(mjData& data);
