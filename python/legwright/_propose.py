@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from legwright import _core
+from legwright._arguments import path_of
 from legwright._robot_source import file_of
 
 
@@ -85,7 +86,7 @@ class Proposals(Mapping[str, Proposal]):
                 propose() read it.
             OSError: where it cannot be written.
         """
-        return Path(self._studied.write('' if output is None else os.fspath(output)))
+        return Path(self._studied.write('' if output is None else str(path_of('output', output))))
 
     def __repr__(self) -> str:
         return '\n'.join(
@@ -106,4 +107,5 @@ def propose(file: str | os.PathLike[str]) -> Proposals:
         InputError: for anything wrong with the file, with its line.
         IoError: where it is not there or cannot be read.
     """
+    path_of('file', file)
     return Proposals(_core.study_robot(file_of(file, names=False)))
