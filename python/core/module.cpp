@@ -15,6 +15,8 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
+#include "optimizer/motion/faced_frame.hpp"
+#include "optimizer/motion/gait.hpp"
 #include "python/core/assembly_binding.hpp"
 #include "python/core/calls.hpp"
 #include "python/core/followed_run.hpp"
@@ -124,8 +126,13 @@ void bind_proposals(nb::module_& module) {
           "IoError.");
 
   module.def(
-      "study_robot", [](const fs::path& file) { return study_robot(file); }, "file"_a,
-      nb::call_guard<Released>(), "What a designer may change in a robot. Raises InputError.");
+      "study_robot",
+      [](const fs::path& file, const std::string& forward) {
+        return study_robot(file, {}, facing_axis(forward));
+      },
+      "file"_a, "forward"_a, nb::call_guard<Released>(),
+      "What a designer may change in a robot that faces along +x, -x, +y or -y; where that is "
+      "empty, as it seems to. Raises InputError.");
 }
 
 void bind_run(nb::module_& module) {
@@ -211,6 +218,14 @@ void bind_files(nb::module_& module) {
 }
 
 void bind_study(nb::module_& module) {
+  module.def(
+      "gait_library",
+      [](int feet) {
+        std::vector<std::pair<std::string, std::string>> out;
+        for (const GaitPattern& gait : gait_library(feet)) out.emplace_back(gait.name, gait.about);
+        return out;
+      },
+      "feet"_a, "Names of the gaits for so many feet, and what each is.");
   module.def("key_lines", &key_lines, "text"_a, "file"_a,
              "Where the keys of a TOML text stand: their names from the root on, entries of arrays "
              "by number, and the line. Raises InputError where it is no TOML.");

@@ -23,7 +23,7 @@ from legwright._propose import Proposal, Proposals, propose
 from legwright._robot import Parameter, Robot
 from legwright._session import Session
 from legwright._session_state import SessionEvent, SessionState
-from legwright._task import Task
+from legwright._task import Task, gaits
 from legwright._validate import Validation, validate
 from legwright._why import Change
 
@@ -53,6 +53,7 @@ __all__ = [
     '__version__',
     'build',
     'codesign',
+    'gaits',
     'mujoco_version',
     'propose',
     'validate',

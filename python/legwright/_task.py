@@ -194,6 +194,19 @@ class Task:
         return f'<Task {self.name}>'
 
 
+def gaits(robot: Robot | int) -> dict[str, str]:
+    """Gaits of the library for a robot or a number of feet: what each is, by its name.
+
+    `legwright gaits` draws them. Empty where there are none, as for one and three feet.
+
+    Raises TypeError for what is neither.
+    """
+    feet = len(robot.feet) if isinstance(robot, Robot) else robot
+    if isinstance(feet, bool) or not isinstance(feet, int):
+        raise TypeError(f'robot is {kind_of(robot)}; expected a Robot or a number of feet')
+    return dict(_core.gait_library(feet)) if 0 < feet < 1000 else {}
+
+
 Tasks = Task | Iterable[Task | tuple[Task, float]]
 """What codesign() takes: one task, or several for one body, each with a weight or 1/number."""
 

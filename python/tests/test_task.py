@@ -159,3 +159,13 @@ def test_a_pattern_of_its_own_has_the_period_of_the_first_task(named, puppy):
     quick = {'plan_only': True, 'reasons': False, 'certificate': False, 'max_iterations': 0}
     design = lw.codesign(puppy, lw.Task(pattern, (0.1, 0.0)), **quick)
     assert design.motion.period == starter['period']
+
+
+def test_gaits_are_listed_for_a_robot(puppy):
+    known = lw.gaits(puppy)
+    assert list(known)[:3] == ['walk', 'amble', 'trot'] and all(known.values())
+    assert known == lw.gaits(4) != lw.gaits(6) and lw.gaits(3) == lw.gaits(-1) == {}
+    for name in known:
+        lw.Task(name, (0.1, 0.0)).text(puppy)
+    with pytest.raises(TypeError, match='robot is a text; expected a Robot or a number of feet'):
+        lw.gaits('puppy')
