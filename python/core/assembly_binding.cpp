@@ -13,6 +13,7 @@
 
 #include "mjcf/assembly/build_robot.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "python/core/calls.hpp"
 #include "tools/modules/assembly_file.hpp"
 
 namespace nb = nanobind;
@@ -37,8 +38,7 @@ std::pair<std::string, std::string> build(const std::string& text, const fs::pat
 }  // namespace
 
 void bind_assembly(nb::module_& module) {
-  module.def("build_robot", &build, "text"_a, "file"_a, "modules"_a,
-             nb::call_guard<nb::gil_scoped_release>(),
+  module.def("build_robot", &build, "text"_a, "file"_a, "modules"_a, nb::call_guard<Released>(),
              "Builds the robot of an assembly, of the modules in these folders. Returns its MJCF, "
              "or nothing and why these modules make no robot that stands on legs. Raises "
              "InputError for what is wrong with the text, IoError for a folder.");

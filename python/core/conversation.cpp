@@ -17,8 +17,9 @@ bool Conversation::ask(const std::function<void()>& work) {
   work_ = &work;
   done_.reset();
   changed_.notify_all();
-  changed_.wait(lock, [this] { return done_.has_value(); });
-  return *done_;
+  changed_.wait(lock, [this] { return done_.has_value() || refused_; });
+  work_ = nullptr;
+  return done_.value_or(false);
 }
 
 void Conversation::end() {
@@ -36,6 +37,12 @@ const std::function<void()>* Conversation::wait() {
 void Conversation::answer(bool done) {
   const std::lock_guard lock(mutex_);
   done_ = done;
+  changed_.notify_all();
+}
+
+void Conversation::refuse() {
+  const std::lock_guard lock(mutex_);
+  refused_ = true;
   changed_.notify_all();
 }
 

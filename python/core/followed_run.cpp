@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/core/followed_run.hpp"
 
-#include <atomic>
 #include <csignal>
-#include <exception>
-#include <functional>
 #include <optional>
-#include <thread>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
-#include "python/core/conversation.hpp"
+#include "python/core/followed_call.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/own_objective.hpp"
 #include "tools/files/io_error.hpp"
@@ -33,24 +31,25 @@ std::optional<ReadCheckpoint> checkpoint_of(const FollowedRun& run) {
   return search;
 }
 
-/// The run itself, without Python. @return what looks doubtful
-std::vector<std::string> optimize_followed(const RobotModel& robot, const FollowedRun& run,
-                                           Conversation& conversation, KeptError& kept,
-                                           std::atomic<int>& signal) {
+/// The run itself, without Python.
+void optimize_followed(const RobotModel& robot, const FollowedRun& run, FollowedCall& call) {
+  Conversation& conversation = call.conversation;
+  std::atomic<int>& signal = call.signal;
   CommandTimes times;
-  std::vector<std::string> warnings;
   TaskSet set = parse_task_tables(run.text, run.file);
   set.robot = robot.file;
   for (TaskFile& task : set.tasks) task.robot = robot.file;
   CodesignProblem problem = make_problem(std::move(set), robot);
   if (run.objective.is_valid() && !run.objective.is_none())
     set_own_objective(problem, run.objective, conversation, [&](nb::python_error&& interrupt) {
-      kept.keep(std::move(interrupt));
+      call.kept.keep(std::move(interrupt));
       signal = SIGINT;
     });
   check_options(run.options, problem);
   RunFollower follower;
-  follower.warn = [&](const std::string& what) { warnings.push_back(what); };
+  follower.warn = [&](const std::string& what) {
+    if (!conversation.ask([&] { run.warn(what); })) signal = SIGINT;  // warnings may be errors
+  };
   follower.stop_signal = [&] { return signal.load(); };
   if (!run.on_iteration.is_none())
     follower.on_iteration = [&](const RunLabel& label, const DesignIteration& iteration) {
@@ -68,6 +67,7 @@ std::vector<std::string> optimize_followed(const RobotModel& robot, const Follow
       return done && go_on && signal == 0;
     };
   tell_warnings(problem, follower);
+  if (signal != 0) throw std::runtime_error("stopped before the search");
   follower.command = {"legwright.codesign()"};
   follower.checkpoint = checkpoint_of(run);
   if (run.options.force) check_not_in_run(run.folder, problem.robot.files);
@@ -76,41 +76,13 @@ std::vector<std::string> optimize_followed(const RobotModel& robot, const Follow
   if (!folder.stand() && signal == 0)
     throw IoError(run.folder.string() +
                   ": stopped before there was a result; the run that was there stays");
-  return warnings;
 }
 
 }  // namespace
 
-std::vector<std::string> run_followed(const RobotModel& robot, const FollowedRun& run) {
-  std::vector<std::string> warnings;
-  std::exception_ptr failure;
-  std::atomic<int> signal{0};
-  Conversation conversation;
-  KeptError kept;
-  {
-    const nb::gil_scoped_release released;
-    std::thread thread([&] {
-      try {
-        warnings = optimize_followed(robot, run, conversation, kept, signal);
-      } catch (...) {
-        failure = std::current_exception();
-      }
-      conversation.end();
-    });
-    while (!conversation.ended()) {
-      const std::function<void()>* const work = conversation.wait();
-      const nb::gil_scoped_acquire held;
-      const bool stopped = kept.caught([] {
-        if (PyErr_CheckSignals() != 0) nb::raise_python_error();
-      });
-      if (stopped) signal = SIGINT;
-      if (work != nullptr) conversation.answer(!kept.caught(*work));
-    }
-    thread.join();
-  }
-  kept.raise_if_any();
-  if (failure) std::rethrow_exception(failure);
-  return warnings;
+void run_followed(const RobotModel& robot, const FollowedRun& run) {
+  FollowedCall call;
+  follow(call, [&] { optimize_followed(robot, run, call); });
 }
 
 }  // namespace legwright

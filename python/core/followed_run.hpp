@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "mjcf/read/robot_model.hpp"
 #include "tools/verbs/optimize_options.hpp"
@@ -20,13 +19,13 @@ struct FollowedRun {
   OptimizeOptions options;        // but for task, robot and run, which stand above
   nanobind::object on_iteration;  // called with a PythonIteration; False ends the search; or None
   nanobind::object objective;     // an _objective.AskedObjective, or None
+  nanobind::object warn;          // called with what looks doubtful, before the search
 };
 
-/// Runs `legwright optimize` on a thread of its own. The calling thread gives up the interpreter's
-/// lock, takes it for on_iteration and the objective, and looks for signals twenty times a second;
-/// what these raise, and KeyboardInterrupt, stop the run and are raised once it has stopped. Needs
-/// the lock.
-/// Throws as read_problem() and optimize_into(). @return what looks doubtful
-std::vector<std::string> run_followed(const RobotModel& robot, const FollowedRun& run);
+/// Runs `legwright optimize` as a followed call, which asks on_iteration and the objective: what
+/// these raise, and KeyboardInterrupt, stop the run and are raised once it has stopped. Needs the
+/// lock.
+/// Throws as read_problem() and optimize_into().
+void run_followed(const RobotModel& robot, const FollowedRun& run);
 
 }  // namespace legwright

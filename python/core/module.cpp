@@ -15,7 +15,10 @@
 #include <memory>
 
 #include "mjcf/read/read_robot.hpp"
+#include "optimizer/motion/faced_frame.hpp"
+#include "optimizer/motion/gait.hpp"
 #include "python/core/assembly_binding.hpp"
+#include "python/core/calls.hpp"
 #include "python/core/followed_run.hpp"
 #include "python/core/iteration.hpp"
 #include "python/core/python_errors.hpp"
@@ -70,7 +73,7 @@ void bind_robot(nb::module_& module) {
           [](const RobotModel& robot, const std::optional<std::string>& gait) {
             return starter_text(starter_task(robot, gait), "robot.xml");
           },
-          "gait"_a.none(), nb::call_guard<nb::gil_scoped_release>(),
+          "gait"_a.none(), nb::call_guard<Released>(),
           "The task file that `legwright init` writes for this robot.");
 }
 
@@ -118,14 +121,18 @@ void bind_proposals(nb::module_& module) {
             (void)write_proposals(robot, output);
             return output.empty() ? robot.files.file() : fs::path(output);
           },
-          "output"_a, nb::call_guard<nb::gil_scoped_release>(),
+          "output"_a, nb::call_guard<Released>(),
           "Declares the proposals in the robot's file, or in a new one. Raises InputError, "
           "IoError.");
 
   module.def(
-      "study_robot", [](const fs::path& file) { return study_robot(file); }, "file"_a,
-      nb::call_guard<nb::gil_scoped_release>(),
-      "What a designer may change in a robot. Raises InputError.");
+      "study_robot",
+      [](const fs::path& file, const std::string& forward) {
+        return study_robot(file, {}, facing_axis(forward));
+      },
+      "file"_a, "forward"_a, nb::call_guard<Released>(),
+      "What a designer may change in a robot that faces along +x, -x, +y or -y; where that is "
+      "empty, as it seems to. Raises InputError.");
 }
 
 void bind_run(nb::module_& module) {
@@ -141,7 +148,11 @@ void bind_run(nb::module_& module) {
       .def_ro("terms", &PythonIteration::terms, "What F consists of, by term.")
       .def_ro("projected_gradient_norm", &PythonIteration::projected_gradient_norm,
               "How far the body is from a minimum.")
-      .def_ro("seconds", &PythonIteration::seconds, "Wall time that it took.");
+      .def_ro("seconds", &PythonIteration::seconds, "Wall time that it took.")
+      .def("__repr__", [](const PythonIteration& each) {
+        return nb::str("<Iteration {} from {}: F = {:g}>")
+            .format(each.index, each.start, each.value);
+      });
 
   nb::class_<OptimizeOptions>(module, "Options", "The options of `legwright optimize`.")
       .def(nb::init<>())
@@ -168,25 +179,26 @@ void bind_run(nb::module_& module) {
   module.def(
       "codesign",
       [](const RobotModel& robot, std::string text, fs::path file, fs::path folder,
-         OptimizeOptions options, nb::object on_iteration, nb::object objective, bool resume) {
+         OptimizeOptions options, nb::object on_iteration, nb::object objective, bool resume,
+         nb::object warn) {
         options.quiet = true;
         if (resume) {
           options.resume = folder.string();
           options.force = true;
         }
-        return run_followed(
-            robot, {std::move(text), std::move(file), std::move(folder), std::move(options),
-                    std::move(on_iteration), std::move(objective)});
+        run_followed(robot,
+                     {std::move(text), std::move(file), std::move(folder), std::move(options),
+                      std::move(on_iteration), std::move(objective), std::move(warn)});
       },
       "robot"_a, "text"_a, "file"_a, "folder"_a, "options"_a, "on_iteration"_a.none(),
-      "objective"_a.none(), "resume"_a = false,
-      "Runs `legwright optimize` into a new folder. Returns what looks doubtful.");
+      "objective"_a.none(), "resume"_a, "warn"_a,
+      "Runs `legwright optimize` into a new folder. Calls `warn` with what looks doubtful.");
 }
 
 void bind_files(nb::module_& module) {
   module.def(
       "read_robot", [](const fs::path& file) { return read_robot(file); }, "file"_a,
-      nb::call_guard<nb::gil_scoped_release>(), "Reads an MJCF. Raises InputError, IoError.");
+      nb::call_guard<Released>(), "Reads an MJCF. Raises InputError, IoError.");
   module.def(
       "check_task",
       [](const std::string& text, const fs::path& file) { (void)parse_task_tables(text, file); },
@@ -206,6 +218,14 @@ void bind_files(nb::module_& module) {
 }
 
 void bind_study(nb::module_& module) {
+  module.def(
+      "gait_library",
+      [](int feet) {
+        std::vector<std::pair<std::string, std::string>> out;
+        for (const GaitPattern& gait : gait_library(feet)) out.emplace_back(gait.name, gait.about);
+        return out;
+      },
+      "feet"_a, "Names of the gaits for so many feet, and what each is.");
   module.def("key_lines", &key_lines, "text"_a, "file"_a,
              "Where the keys of a TOML text stand: their names from the root on, entries of arrays "
              "by number, and the line. Raises InputError where it is no TOML.");
@@ -233,6 +253,7 @@ NB_MODULE(_core, module) {
   nb::set_leak_warnings(false);  // threads that outlive the interpreter hold on to what they use
   leave_others_their_messages();
   translate_errors();
+  bind_calls(module);
   bind_robot(module);
   bind_proposals(module);
   bind_assembly(module);

@@ -6,8 +6,10 @@
 
 #include <exception>
 #include <system_error>
+#include <typeinfo>
 
 #include "mjcf/text/input_error.hpp"
+#include "python/core/calls.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 
@@ -32,6 +34,10 @@ void translate(const std::exception_ptr& failure, void*) {
   const auto type = [](const char* name) -> nb::object {
     return nb::module_::import_("legwright._errors").attr(name);
   };
+  if (interpreter_ends()) {  // what was stopped has a thread to leave
+    PyErr_SetNone(PyExc_SystemExit);
+    return;
+  }
   try {
     std::rethrow_exception(failure);
   } catch (const InputError& error) {
@@ -40,6 +46,8 @@ void translate(const std::exception_ptr& failure, void*) {
     raise(type("IoError"), type("IoError")(std::string(error.what())));
   } catch (const MujocoError& error) {
     raise(type("MujocoError"), type("MujocoError")(std::string(error.what())));
+  } catch (const std::bad_cast&) {
+    PyErr_SetString(PyExc_TypeError, "a value is of another kind than is expected there");
   } catch (const std::system_error& error) {  // filesystem_error included
     raise(type("IoError"), type("IoError")(error.code().value(), std::string(error.what())));
   }

@@ -8,8 +8,12 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include "mjcf/text/input_error.hpp"
+#include "python/core/followed_call.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/simulate/rollout.hpp"
 #include "tools/simulate/servo_gait.hpp"
+#include "tools/validate/limits_file.hpp"
 #include "tools/verbs/judge_in_engine.hpp"
 
 namespace nb = nanobind;
@@ -50,6 +54,29 @@ EngineOptions options_of(int cycles, std::vector<double> gains, std::filesystem:
 }
 
 std::string text_of(const EngineRecord& record) { return to_text(json_of(record)); }
+
+/// Throws InputError for limits on what is not measured here.
+void check_measured(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  const Limits asked = read_limits(file);
+  if (need_robustness(asked) || ask_for_numerics(asked))
+    throw InputError(file.string(), 0, "",
+                     "has limits on survival, margins or numerics, which legwright.validate() does "
+                     "not measure; take them out, or have `legwright validate RUN --limits " +
+                         file.string() + "` measure them");
+}
+
+std::string in_mujoco(const std::filesystem::path& folder, const EngineOptions& options) {
+  std::string text;
+  FollowedCall call;
+  follow(call, [&] {
+    const RolloutStop stop([&] { return call.signal != 0; });
+    check_measured(options.limits);
+    text = text_of(
+        judge_in_engine(ResultFolder::open(folder), {"mujoco", mj_versionString(), {}}, options));
+  });
+  return text;
+}
 
 }  // namespace
 
@@ -110,12 +137,10 @@ void bind_engine(nb::module_& module) {
       "validate",
       [](const std::filesystem::path& folder, int cycles, std::vector<double> gains,
          std::filesystem::path limits) {
-        return text_of(
-            judge_in_engine(ResultFolder::open(folder), {"mujoco", mj_versionString(), {}},
-                            options_of(cycles, std::move(gains), std::move(limits), false)));
+        return in_mujoco(folder, options_of(cycles, std::move(gains), std::move(limits), false));
       },
-      "folder"_a, "cycles"_a, "gains"_a, "limits"_a, nb::call_guard<nb::gil_scoped_release>(),
-      "The same in MuJoCo, with the plugin.");
+      "folder"_a, "cycles"_a, "gains"_a, "limits"_a,
+      "The same in MuJoCo, with the plugin. Signals stop it.");
 }
 
 }  // namespace legwright

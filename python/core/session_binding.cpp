@@ -9,6 +9,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -19,9 +21,11 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
+#include "python/core/calls.hpp"
 #include "tools/files/parse_json.hpp"
 #include "tools/run/design_folder.hpp"
 #include "tools/session/session.hpp"
+#include "tools/verbs/optimize_run.hpp"
 #include "tools/verbs/save_session.hpp"
 
 namespace nb = nanobind;
@@ -36,7 +40,8 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<long>(1000.0 * seconds));
 }
 
-/// A session that can be closed; calls after that are refused.
+/// A session that can be closed; calls after that are refused, and those of a forked child, which
+/// has the session's memory and not its thread.
 class PythonSession {
  public:
   PythonSession(const RobotModel& robot, const std::string& text, const fs::path& file,
@@ -51,14 +56,23 @@ class PythonSession {
     if (journal) options.journal = *journal;
     options.threads = threads;
     session_ = std::make_shared<Session>(robot, text, file, options);
+    close_at_the_end(session_);
+  }
+  PythonSession(const PythonSession&) = delete;
+  ~PythonSession() {
+    if (is_inherited()) (void)new std::shared_ptr<Session>(std::move(session_));  // never ends
   }
 
   std::shared_ptr<Session> get() const {
+    if (is_inherited())  // the lock may be another thread's
+      throw nb::value_error(
+          "the session belongs to another process, from which this one was forked; open one here");
     const std::lock_guard lock(mutex_);
     if (!session_) throw nb::value_error("the session is closed");
     return session_;
   }
   void close() {
+    if (is_inherited()) return;
     std::shared_ptr<Session> gone;
     {
       const std::lock_guard lock(mutex_);
@@ -85,6 +99,9 @@ class PythonSession {
     return std::move(read.commands);
   }
 
+  bool is_inherited() const { return ::getpid() != process_; }
+
+  const ::pid_t process_ = ::getpid();
   mutable std::mutex mutex_;
   std::shared_ptr<Session> session_;
 };
@@ -129,7 +146,7 @@ auto of_state(Get get) {
 }
 
 void bind_snapshot(nb::module_& module) {
-  const auto free = nb::call_guard<nb::gil_scoped_release>();
+  const auto free = nb::call_guard<Released>();
   nb::class_<SessionSnapshot>(module, "SessionSnapshot", "Where a session stands.")
       .def_ro("revision", &SessionSnapshot::revision)
       .def_ro("can_undo", &SessionSnapshot::can_undo)
@@ -171,11 +188,19 @@ void bind_snapshot(nb::module_& module) {
       });
 }
 
+std::vector<std::string> warnings_of(const PythonSession& session) {
+  std::vector<std::string> out;
+  RunFollower follower;
+  follower.warn = [&](const std::string& what) { out.push_back(what); };
+  tell_warnings(*session.get()->snapshot()->state->problem, follower);
+  return out;
+}
+
 }  // namespace
 
 void bind_session(nb::module_& module) {
   bind_snapshot(module);
-  const auto free = nb::call_guard<nb::gil_scoped_release>();
+  const auto free = nb::call_guard<Released>();
   nb::class_<PythonSession>(module, "Session", "tools/session, from any thread.")
       .def(nb::init<const RobotModel&, const std::string&, const fs::path&,
                     const std::optional<fs::path>&, const std::optional<fs::path>&, int>(),
@@ -206,6 +231,7 @@ void bind_session(nb::module_& module) {
           "seconds"_a, free)
       .def("snapshot",
            [](const PythonSession& s) {
+             refuse_at_the_end();
              return std::const_pointer_cast<SessionSnapshot>(s.get()->snapshot());
            })
       .def(
@@ -214,6 +240,7 @@ void bind_session(nb::module_& module) {
             return s.get()->events(after, milliseconds(seconds));
           },
           "after"_a, "seconds"_a, free)
+      .def("warnings", warnings_of, free, "What looks doubtful about its tasks.")
       .def(
           "journal", [](const PythonSession& s) { return s.get()->record().journal; }, free)
       .def(

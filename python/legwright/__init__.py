@@ -21,8 +21,9 @@ from legwright._objective import Objective, PlannedMotion
 from legwright._plugin import register as _register
 from legwright._propose import Proposal, Proposals, propose
 from legwright._robot import Parameter, Robot
-from legwright._session import Session, SessionEvent, SessionState
-from legwright._task import Task
+from legwright._session import Session
+from legwright._session_state import SessionEvent, SessionState
+from legwright._task import Task, gaits
 from legwright._validate import Validation, validate
 from legwright._why import Change
 
@@ -52,6 +53,7 @@ __all__ = [
     '__version__',
     'build',
     'codesign',
+    'gaits',
     'mujoco_version',
     'propose',
     'validate',

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from legwright import _core
+from legwright._arguments import path_of
 from legwright._errors import InputError, IoError, unreadable
 from legwright._files import read_text
 from legwright._robot import Robot
@@ -32,8 +33,9 @@ def build(
             not stand on legs.
         IoError: where `output` is there already, or something cannot be read or written.
     """
-    file, place = Path(assembly), Path(output)
-    folders = [MODULES, *(Path(each) for each in library)]
+    file = path_of('assembly', assembly, absolute=False)
+    place = path_of('output', output, absolute=False)
+    folders = [MODULES, *(path_of('library', each, absolute=False) for each in library)]
     try:
         text = read_text(file)
     except OSError as error:

@@ -8,7 +8,10 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from legwright import _core
+from legwright._arguments import path_of
 from legwright._design import Design
 from legwright._errors import InputError, LegwrightWarning
 from legwright._objective import Objective, ObjectiveFunction, asked
@@ -30,6 +33,20 @@ def _options_of(words: Mapping[str, Any]) -> _core.Options:
         elif name not in _NO_OPTIONS and value is not None:
             setattr(options, name, value)
     return options
+
+
+def _going_on(on_iteration: Callable[[Iteration], Any]) -> Callable[[Iteration], bool]:
+    """Whether the search goes on: unless the answer is False, Python's or numpy's."""
+
+    def ask(iteration: Iteration) -> bool:
+        answer = on_iteration(iteration)
+        return bool(answer) or not isinstance(answer, (bool, np.bool_))
+
+    return ask
+
+
+def _warn(doubt: str) -> None:
+    warnings.warn(doubt, LegwrightWarning, stacklevel=3)  # where codesign() is called
 
 
 def codesign(
@@ -99,7 +116,7 @@ def codesign(
         InputError: for a robot and tasks that do not fit, by file and line; for options outside
             their range, by keyword; for an objective that is not finite, has the wrong shape or a
             wrong gradient. What it raises is raised.
-        TypeError: for a robot, task or on_iteration that is something else.
+        TypeError: for a robot, task, folder or on_iteration that is something else.
         IoError: where the folder holds a run or cannot be written.
         MujocoError: where MuJoCo refuses a scene.
         KeyboardInterrupt: on Ctrl-C, once the run has stopped; what was found stands in `folder`.
@@ -122,10 +139,8 @@ def codesign(
     if folder is None:
         temporary = tempfile.TemporaryDirectory(prefix='legwright-')
         folder = Path(temporary.name) / 'run'
+    run = path_of('folder', folder)
+    tells = None if on_iteration is None else _going_on(on_iteration)
     asks = None if objective is None else asked(objective, words['check_gradient'])
-    doubts = _core.codesign(
-        robot._model, text, file, Path(folder), _options_of(words), on_iteration, asks, resume
-    )
-    for doubt in doubts:
-        warnings.warn(doubt, LegwrightWarning, stacklevel=2)
-    return Design(folder, temporary)
+    _core.codesign(robot._model, text, file, run, _options_of(words), tells, asks, resume, _warn)
+    return Design(run, temporary)

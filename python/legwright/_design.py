@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from legwright import _core
-from legwright._errors import IoError
+from legwright._arguments import path_of
+from legwright._errors import InputError, IoError
 from legwright._files import read_json
 from legwright._html import design_html
 from legwright._motion import Motion, read_motion
@@ -61,6 +62,19 @@ def _finite_or_inf(number: float | None) -> float:
     return float('inf') if number is None else float(number)
 
 
+def _no_end(folder: Path, record: Mapping[str, Any]) -> InputError:
+    """Why a run has no design, with the way on."""
+    if failure := record.get('failure'):
+        message = f'its run failed ({failure}); begin it anew with force=True'
+    else:
+        message = (
+            'its search has not ended: it is still going on, or was killed; then '
+            f'codesign(…, folder={str(folder)!r}, resume=True) goes on with it, with the same '
+            'arguments otherwise'
+        )
+    return InputError(f'{folder}: {message}', str(folder), 0, '', message)
+
+
 class Design:
     """A body with its motion, as codesign() or `legwright optimize` left it in a run folder.
 
@@ -72,8 +86,8 @@ class Design:
         folder: str | os.PathLike[str],
         temporary: 'tempfile.TemporaryDirectory[str] | None' = None,
     ) -> None:
-        """A run folder. Raises IoError where it holds no run; `temporary` goes with the design."""
-        self.folder = Path(folder)
+        """A run folder. Raises as load(); `temporary` goes with the design."""
+        self.folder = path_of('folder', folder)
         """Where its files are; a temporary one goes with the design."""
         self._temporary = temporary
         self._played: dict[str, Any] | None = None
@@ -81,11 +95,37 @@ class Design:
         _core.open_run(self.folder)
         self.record: dict[str, Any] = self._json('run.json')
         """All that run.json says: docs/schema/run.schema.json is its schema."""
+        if 'final_F' not in self.record:
+            raise _no_end(self.folder, self.record)
 
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> 'Design':
-        """The design of a run folder. Raises IoError where it holds no run."""
+        """The design of a run folder.
+
+        Raises:
+            IoError: where it holds no run.
+            InputError: where its search has not come to an end, so that there is no design.
+        """
         return cls(folder)
+
+    # ---- copies ----
+
+    def __getstate__(self) -> dict[str, Any]:
+        if self._temporary is not None:
+            raise TypeError(
+                f'the design lies in a temporary folder, {self.folder}, which goes with it and '
+                'cannot be pickled: give codesign() a folder=, or load what save() writes'
+            )
+        return self.__dict__
+
+    def __copy__(self) -> 'Design':
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        return copy
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> 'Design':
+        """The same: what it holds is not changed, and its folder stays as long as one of them."""
+        return self.__copy__()
 
     def _json(self, name: str) -> dict[str, Any]:
         document: dict[str, Any] = read_json(self.folder / name)
@@ -296,7 +336,7 @@ class Design:
             IoError: where the folder holds a run, cannot be written, or lies in that of the design
                 or around it.
         """
-        target = Path(folder)
+        target = path_of('folder', folder)
         here, there = self.folder.resolve(), target.resolve()
         if here == there:
             return target

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from legwright._arguments import text_of_word
 from legwright._check_gradient import check_gradient
 from legwright._errors import InputError
 from legwright._motion import Motion
@@ -56,6 +57,10 @@ class Objective:
     others fixed: that torques, mass and volume follow from body and motion is seen to.
 
     Must be a function of its arguments alone, smooth, and without side effects.
+
+    Raises:
+        TypeError: for what is no function, and a unit or name that is no text.
+        InputError: for a weight or reference that is no positive number.
     """
 
     function: ObjectiveFunction
@@ -72,6 +77,8 @@ class Objective:
     def __post_init__(self) -> None:
         if not callable(self.function):
             raise TypeError(f'an objective is a function, not {type(self.function).__name__}')
+        text_of_word('unit', self.unit)
+        text_of_word('name', self.name)
         for key, number in (('weight', self.weight), ('reference', self.reference)):
             if number is not None and not (number > 0.0 and math.isfinite(number)):
                 raise _refusal(self.called, f'{key} must be a positive number, is {number!r}')

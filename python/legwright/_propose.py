@@ -7,7 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from legwright import _core
+from legwright._arguments import path_of
+from legwright._errors import InputError
 from legwright._robot_source import file_of
+
+_AXES = ('+x', '-x', '+y', '-y')
 
 
 @dataclass(frozen=True)
@@ -85,7 +89,7 @@ class Proposals(Mapping[str, Proposal]):
                 propose() read it.
             OSError: where it cannot be written.
         """
-        return Path(self._studied.write('' if output is None else os.fspath(output)))
+        return Path(self._studied.write('' if output is None else str(path_of('output', output))))
 
     def __repr__(self) -> str:
         return '\n'.join(
@@ -95,15 +99,23 @@ class Proposals(Mapping[str, Proposal]):
         )
 
 
-def propose(file: str | os.PathLike[str]) -> Proposals:
+def propose(file: str | os.PathLike[str], *, forward: str | None = None) -> Proposals:
     """Studies a robot's MJCF or URDF and proposes its design parameters, as `legwright init`.
 
     Links of legs may change in length, joints in their axes, the trunk in length and width; left
     and right are tied. Each proposal is tried on the file itself. Nothing is written. A URDF is
     studied as the MJCF that `write` makes of it.
 
+    Args:
+        forward: axis of the trunk's frame that the robot looks along: "+x", "-x", "+y" or "-y", by
+            which legs are paired; default: as it seems to face.
+
     Raises:
-        InputError: for anything wrong with the file, with its line.
+        InputError: for anything wrong with the file, with its line; for another axis.
         IoError: where it is not there or cannot be read.
     """
-    return Proposals(_core.study_robot(file_of(file, names=False)))
+    if forward is not None and forward not in _AXES:
+        message = f'is {forward!r}; expected one of {", ".join(_AXES)}, or None'
+        raise InputError(f'forward: {message}', '', 0, 'forward', message)
+    path_of('file', file)
+    return Proposals(_core.study_robot(file_of(file, names=False), forward or ''))

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from legwright import _core, _robot_source
+from legwright._arguments import path_of
 from legwright._errors import InputError
 
 if TYPE_CHECKING:
@@ -126,7 +127,7 @@ class Parameters(Mapping[str, Parameter]):
         try:
             return self._by_name[name]
         except KeyError:
-            near = difflib.get_close_matches(name, self._by_name, 1)
+            near = difflib.get_close_matches(str(name), self._by_name, 1)
             there = f'is {near[0]!r} meant?' if near else f'it has {", ".join(self._by_name)}'
             raise KeyError(f'the robot has no design parameter {name!r}; {there}') from None
 
@@ -166,6 +167,7 @@ class Robot:
             except InputError as error:
                 raise _robot_source.of_spec(error, robot, self.file) from None
         elif isinstance(robot, (str, os.PathLike)):
+            path_of('robot', robot)
             self.file = _robot_source.file_of(robot)
             self._model = _core.read_robot(self.file)
         else:

@@ -4,151 +4,23 @@
 import json
 import os
 import tempfile
+import tomllib
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from legwright import _core
+from legwright._arguments import names_of, path_of, seconds_of, text_of_word
 from legwright._design import Design
-from legwright._errors import InputError
-from legwright._motion import Motion, motion_of
-from legwright._options import THREADS, checked
+from legwright._errors import InputError, LegwrightWarning
+from legwright._options import THREADS, checked, kind_of
 from legwright._robot import Robot, pair_of
+from legwright._session_state import SessionEvent, SessionState
 from legwright._task import Tasks, text_of
 
 _SLICE = 0.05  # seconds without a look at signals
-
-
-class SessionState:
-    """Where a session stands; it does not change while the session goes on.
-
-    Arrays of parameters are in the order of robot.parameters, in m and rad.
-    """
-
-    def __init__(self, snapshot: _core.SessionSnapshot) -> None:
-        self._snapshot = snapshot
-
-    @property
-    def revision(self) -> int:
-        """Rises with everything that happens."""
-        return int(self._snapshot.revision)
-
-    @property
-    def phase(self) -> str:
-        """What the session is doing: "idle", "solving" (for the motions) or "searching"."""
-        return str(self._snapshot.phase)
-
-    @property
-    def settled(self) -> bool:
-        """Whether the motions are those of the body; else they are predicted, or on their way."""
-        return bool(self._snapshot.settled)
-
-    @property
-    def s(self) -> NDArray[np.float64]:
-        """The body."""
-        return np.array(self._snapshot.s)
-
-    @property
-    def parameters(self) -> dict[str, float]:
-        """The body, by name."""
-        return dict(zip(self._snapshot.parameters, self._snapshot.s.tolist(), strict=True))
-
-    @property
-    def bounds(self) -> dict[str, tuple[float, float]]:
-        """Of each parameter; a frozen one has equal ones."""
-        s, low, high = self._snapshot.s, self._snapshot.lower, self._snapshot.upper
-        return {
-            name: (float(s[i]), float(s[i])) if frozen else (float(low[i]), float(high[i]))
-            for i, (name, frozen) in enumerate(
-                zip(self._snapshot.parameters, self._snapshot.frozen, strict=True)
-            )
-        }
-
-    @property
-    def F(self) -> float:
-        """The cost; of several tasks the weighted sum, without J."""
-        return float(self._snapshot.F)
-
-    @property
-    def J(self) -> float:
-        """The outer objective; 0 without one."""
-        return float(self._snapshot.J)
-
-    @property
-    def terms(self) -> dict[str, float]:
-        """What F consists of, by term."""
-        return dict(self._snapshot.terms)
-
-    @property
-    def task_F(self) -> dict[str, float]:
-        """F of each task, without its weight."""
-        return dict(zip(self._snapshot.tasks, self._snapshot.task_F, strict=True))
-
-    @property
-    def weights(self) -> dict[str, float]:
-        """Of each task."""
-        return dict(zip(self._snapshot.tasks, self._snapshot.weights, strict=True))
-
-    @property
-    def gradient(self) -> dict[str, float] | None:
-        """d(F + J)/ds along the best motions, by parameter [1/m, 1/rad]; None unless settled."""
-        if not self.settled:
-            return None
-        values = self._snapshot.design_gradient.tolist()
-        return dict(zip(self._snapshot.parameters, values, strict=True))
-
-    @property
-    def iterations(self) -> int:
-        """Of searches, on the way to here."""
-        return int(self._snapshot.iterations)
-
-    @property
-    def can_undo(self) -> bool:
-        """Whether there is something to undo."""
-        return bool(self._snapshot.can_undo)
-
-    @property
-    def can_redo(self) -> bool:
-        """Whether something was undone, and nothing changed since."""
-        return bool(self._snapshot.can_redo)
-
-    @property
-    def snapshots(self) -> list[str]:
-        """Names under which states are kept."""
-        return list(self._snapshot.names)
-
-    def motion(self, task: str | None = None) -> Motion:
-        """One cycle of a task's gait as it is shown; of one task it need not be named."""
-        names = list(self._snapshot.tasks)
-        if task is None and len(names) == 1:
-            task = names[0]
-        if task not in names:
-            raise ValueError(f'motion of which task? there are {", ".join(names)}')
-        return motion_of(self._snapshot.motion_csv(names.index(task)))
-
-    def __repr__(self) -> str:
-        return f'<SessionState {self.revision}: F = {self.F:g}, {self.phase}>'
-
-
-@dataclass(frozen=True)
-class SessionEvent:
-    """Something that happened in a session."""
-
-    number: int
-    """From 1, without gaps."""
-    kind: str
-    """"changed": a command was obeyed, motions are predicted. "solved", "unsolved": the motions
-    were solved for, or cannot be. "point": a search came to another body. "ended": it ended, or was
-    paused. "failed": what was posted could not be obeyed."""
-    state: SessionState
-    """Where the session stood then."""
-    words: str
-    """How a search ended, or why something failed."""
 
 
 def _line(what: str, **fields: Any) -> str:
@@ -158,6 +30,14 @@ def _line(what: str, **fields: Any) -> str:
     except ValueError:
         told = ', '.join(f'{name} {value}' for name, value in fields.items())
         raise InputError(f'<session>: {what}: expected finite numbers, found {told}') from None
+
+
+def _asks_for_bounds(file: str, where: str, what: str) -> InputError:
+    message = (
+        f'{what}, which holds where a session begins; in it call freeze(), unfreeze() or '
+        'set_bounds() of the session'
+    )
+    return InputError(f'{file}: {where}: {message}', file, 0, where, message)
 
 
 class Session:
@@ -209,12 +89,17 @@ class Session:
             robot._model,
             text,
             file,
-            None if journal is None else Path(journal),
-            None if replay is None else Path(replay),
+            None if journal is None else path_of('journal', journal),
+            None if replay is None else path_of('replay', replay),
             words['threads'],
         )
-        self._robot = robot
+        self._robot, self._begun_with = robot, robot._design_table()
         self._seen = 0
+        self._warn()
+
+    def _warn(self) -> None:
+        for doubt in self._core.warnings():
+            warnings.warn(doubt, LegwrightWarning, stacklevel=3)
 
     # ---- what the user does ----
 
@@ -240,7 +125,13 @@ class Session:
         Raises:
             InputError: for unknown names, values outside bounds and frozen parameters.
         """
+        if not isinstance(what, (str, Mapping)):
+            raise TypeError(
+                f'edit is given {kind_of(what)}; expected the name of a parameter and a value, or '
+                'a dict of values by name'
+            )
         values: dict[str, Any] = {what: value} if isinstance(what, str) else dict(what)
+        names_of('edit', values)
         for name, number in values.items():
             if number is None:
                 raise TypeError(f'edit({name!r}) without a value')
@@ -253,24 +144,38 @@ class Session:
 
     def freeze(self, *names: str) -> None:
         """Keeps parameters where they are. Raises InputError for unknown names."""
-        self._apply('freeze', names=list(names), frozen=True)
+        self._apply('freeze', names=names_of('freeze', names), frozen=True)
 
     def unfreeze(self, *names: str) -> None:
         """Lets them change again. Raises InputError for unknown names."""
-        self._apply('freeze', names=list(names), frozen=False)
+        self._apply('freeze', names=names_of('unfreeze', names), frozen=False)
 
     def set_bounds(
         self, name: str, lower: float | tuple[float, float], upper: float | None = None
     ) -> None:
         """Narrower bounds than the robot's, or those again: two numbers, or a pair as that of
         Parameter.bounds. Raises InputError where they are not around the present value."""
+        name = text_of_word('name', name)
         low, high = pair_of(name, lower if upper is None else (lower, upper))
         self._apply('bounds', name=name, lower=low, upper=high)
 
     def set_task(self, task: Tasks) -> None:
-        """Other tasks; motions go on from what they were where gait and knots are the same."""
-        text, file = text_of(task, self._robot)
+        """Other tasks; motions go on from what they were where gait and knots are the same.
+        Bounds and what is frozen stay as the session has them.
+
+        Raises:
+            InputError: for tasks that do not fit the robot; for a task with a `design`, and where
+                parameters of the robot were frozen or bounded since the session began: that is for
+                freeze(), unfreeze() and set_bounds() here.
+        """
+        text, file = text_of(task, self._robot, bounded=False)
+        if 'design' in tomllib.loads(text):
+            raise _asks_for_bounds(f'{file}', 'design', '[design] stands in the task')
+        if self._robot._design_table() != self._begun_with:
+            changed = "the robot's parameters were frozen or bounded since the session began"
+            raise _asks_for_bounds('<session>', 'set_task', changed)
         self._apply('tasks', text=text, file=str(file))
+        self._warn()
 
     def set_weights(self, weights: Sequence[float]) -> None:
         """Of the tasks, in their order. Raises InputError unless all are above 0."""
@@ -304,11 +209,11 @@ class Session:
 
     def snapshot(self, name: str) -> None:
         """Keeps where it stands under a name."""
-        self._apply('snapshot', name=name)
+        self._apply('snapshot', name=text_of_word('name', name))
 
     def branch(self, name: str) -> None:
         """Goes on from a snapshot. Raises InputError where there is none of that name."""
-        self._apply('branch', name=name)
+        self._apply('branch', name=text_of_word('name', name))
 
     # ---- what it tells ----
 
@@ -319,7 +224,7 @@ class Session:
 
     def wait(self, timeout: float | None = None) -> bool:
         """Until nothing goes on: searches ended, motions solved. False after `timeout` seconds."""
-        waited = 0.0
+        timeout, waited = seconds_of('timeout', timeout), 0.0
         while timeout is None or waited < timeout:
             length = _SLICE if timeout is None else min(_SLICE, timeout - waited)
             if self._core.wait(length):
@@ -335,7 +240,7 @@ class Session:
             timeout: ends after so many seconds without an event, 0 at once; default: once nothing
                 goes on. The last thousand events are kept.
         """
-        seen, waited = self._seen, 0.0
+        timeout, seen, waited = seconds_of('timeout', timeout), self._seen, 0.0
         while True:
             idle = self._core.wait(0.0)  # before the look: what ended it is told
             left = float(not idle) if timeout is None else max(timeout - waited, 0.0)
@@ -378,13 +283,20 @@ class Session:
         if folder is None:
             temporary = tempfile.TemporaryDirectory(prefix='legwright-')
             folder = Path(temporary.name) / 'run'
-        self._core.save(Path(folder), force)
-        return Design(folder, temporary)
+        run = path_of('folder', folder)
+        self._core.save(run, force)
+        return Design(run, temporary)
 
     def close(self) -> None:
         """Ends what goes on; calls of other threads that wait, and all after it, raise
         ValueError."""
         self._core.close()
+
+    def __repr__(self) -> str:
+        try:
+            return f'<Session of {self._robot.name}, {self.state!r}>'
+        except ValueError as error:
+            return f'<Session of {self._robot.name}: {error}>'
 
     def __enter__(self) -> 'Session':
         return self

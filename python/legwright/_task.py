@@ -153,6 +153,11 @@ class Task:
         gait = self._content.get('gait')
         return not isinstance(gait, Mapping) or 'period' in gait
 
+    @property
+    def _own_pattern(self) -> bool:
+        """Whether the gait is no one of the library, so that it has a touchdown of its own."""
+        return self._content is not None and 'touchdown' in self._content['gait']
+
     def _with_defaults(self, defaults: Mapping[str, Any]) -> dict[str, Any]:
         """The content, with what it does not say taken from another task's tables."""
         assert self._content is not None
@@ -160,6 +165,8 @@ class Task:
         for table in ('gait', 'limits', 'servos'):
             if table in defaults:
                 content[table] = {**defaults[table], **content.get(table, {})}
+        if self._own_pattern and 'name' not in self._content['gait']:
+            content['gait'].pop('name', None)  # that of the other task
         return content
 
     def text(self, robot: Robot | None = None) -> str:
@@ -175,7 +182,7 @@ class Task:
             return _toml.document(self._content)
         if robot is None:
             raise ValueError('a task without a period needs the robot: text(robot)')
-        gait = self._content['gait'].get('name')
+        gait = None if self._own_pattern else self._content['gait'].get('name')
         try:
             starter = tomllib.loads(robot._model.starter_text(gait))
         except InputError as error:
@@ -185,6 +192,19 @@ class Task:
 
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
+
+
+def gaits(robot: Robot | int) -> dict[str, str]:
+    """Gaits of the library for a robot or a number of feet: what each is, by its name.
+
+    `legwright gaits` draws them. Empty where there are none, as for one and three feet.
+
+    Raises TypeError for what is neither.
+    """
+    feet = len(robot.feet) if isinstance(robot, Robot) else robot
+    if isinstance(feet, bool) or not isinstance(feet, int):
+        raise TypeError(f'robot is {kind_of(robot)}; expected a Robot or a number of feet')
+    return dict(_core.gait_library(feet)) if 0 < feet < 1000 else {}
 
 
 Tasks = Task | Iterable[Task | tuple[Task, float]]
@@ -206,8 +226,9 @@ def _listed(tasks: Any) -> list[tuple[Task, float | None]]:
     return listed
 
 
-def text_of(tasks: Tasks, robot: Robot) -> tuple[str, Path]:
-    """The text of the task file for a run, and the file that messages name.
+def text_of(tasks: Tasks, robot: Robot, *, bounded: bool = True) -> tuple[str, Path]:
+    """The text of the task file for a run, and the file that messages name. It has what is frozen
+    and bounded of the robot, where `bounded`.
 
     Raises TypeError where the robot is no Robot or the tasks are none.
     """
@@ -222,7 +243,7 @@ def text_of(tasks: Tasks, robot: Robot) -> tuple[str, Path]:
         if not listed:
             raise InputError('an empty list of tasks; give one at least')
         text, file = _joint_text(listed, robot), Path(_MADE)
-    if design := robot._design_table():
+    if bounded and (design := robot._design_table()):
         if 'design' in tomllib.loads(text):
             message = (
                 '[design] stands in the task file, and bounds were set on the robot, too; '

@@ -5,12 +5,16 @@ import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Literal
 
 from legwright import _core
+from legwright._arguments import path_of
 from legwright._design import Design
-from legwright._options import kind_of
+from legwright._errors import InputError, check_readable
+from legwright._options import Option, checked, kind_of
 
+_CYCLES = Option(int, 20, 4, 100000)
 GAINS = (0.5, 1.0, 2.0)
 DRAKE = 'pip install "legwright[drake]" (from a clone: pip install ".[drake]")'
 
@@ -59,6 +63,17 @@ class Validation:
         )
 
 
+def _factors(gains: Any) -> list[float]:
+    """Gains as numbers. Raises InputError for what is none."""
+    try:
+        if isinstance(gains, (str, bytes)):
+            raise TypeError
+        return [float(each) for each in gains]
+    except (TypeError, ValueError):
+        message = f'are {gains!r:.80}; expected a list of factors above 0, as [0.5, 1.0, 2.0]'
+        raise InputError(f'gains: {message}', '', 0, 'gains', message) from None
+
+
 def validate(
     design: Design,
     *,
@@ -86,7 +101,8 @@ def validate(
         ImportError: for Drake where it is not installed, with what to install.
         InputError: for a scene that the engine cannot play, with what it lacks; for limits that are
             wrong or need what is not measured here.
-        IoError: where the design has no scene.
+        IoError: where the design has no scene, and for a file of limits that cannot be read.
+        KeyboardInterrupt: on Ctrl-C, at once.
         TypeError: for what is no Design.
         ValueError: for a design of several tasks (take design.tasks[NAME]), another engine, no
             gains or too few cycles.
@@ -97,11 +113,16 @@ def validate(
             'back or Design.load("runs/mine") reads it'
         )
     design._of_one_task('a validation')
-    file = '' if limits is None else limits
+    file: str | Path = ''
+    if limits is not None:
+        file = path_of('limits', limits, absolute=False)
+        check_readable(file, 'give the path of a limits file, for instance examples/limits.toml')
+    words = checked({'cycles': _CYCLES}, {'cycles': cycles})
+    scales = _factors(gains)
     if engine == 'mujoco':
-        return Validation.of(_core.validate(design.folder, cycles, list(gains), file))
+        return Validation.of(_core.validate(design.folder, words['cycles'], scales, file))
     if engine == 'drake':
-        return in_drake(design, gains=gains, cycles=cycles, limits=file)
+        return in_drake(design, gains=scales, cycles=words['cycles'], limits=file)
     raise ValueError(f"engine: expected 'mujoco' or 'drake', found {engine!r}")
 
 

@@ -122,3 +122,15 @@ def test_what_is_changed_besides_is_told(bare, tmp_path):
     bare.write_text(text, encoding='utf-8')
     (said,) = lw.propose(bare).mended
     assert said.startswith('a free joint in the place of the six')
+
+
+def test_a_robot_faces_where_it_is_told_to(bare, tmp_path):
+    theirs = tmp_path / 'by_init.xml'
+    words = (PROGRAM, 'init', bare, '-o', theirs, '--forward', '-x')
+    done = subprocess.run(words, capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    turned = lw.propose(bare, forward='-x')
+    assert turned.write(tmp_path / 'turned.xml').read_bytes() == theirs.read_bytes()
+    assert list(turned.legs) != list(lw.propose(bare).legs)
+    with pytest.raises(lw.InputError, match=r"forward: is 'north'; expected one of \+x, -x"):
+        lw.propose(bare, forward='north')

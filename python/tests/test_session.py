@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import threading
 import time
+import warnings
 
 import legwright as lw
 import numpy as np
@@ -194,6 +196,60 @@ def test_what_does_not_fit_is_refused(session):
     session.close()
     with pytest.raises(ValueError, match='closed'):
         session.undo()
+
+
+def test_its_phase_tells_what_is_pending(session):
+    assert session.state.phase == 'solving'
+    for _ in range(20):
+        assert session.wait(60) and session.state.phase == 'idle'
+        session.start()
+        assert session.state.phase == 'searching'
+        session.pause()
+    session.edit(THIGH, 0.061)
+    assert session.state.phase == 'solving'
+    while session.state.phase != 'idle':
+        time.sleep(0.001)
+    assert session.state.settled
+
+
+def test_other_tasks_leave_the_bounds_to_the_session(puppy, tmp_path):
+    frozen = {'freeze': ['body_width'], 'bounds': {'body_length': [0.23, 0.25]}}
+    begun = lw.Task('walk', (0.0, 0.1), design=frozen)
+    with lw.Session(puppy, begun) as session:
+        bounds = session.state.bounds
+        with pytest.raises(lw.InputError, match=r'^<task>: design: .*call freeze\(\), unf'):
+            session.set_task(lw.Task('trot', (0.0, 0.1), design={'freeze': ['body_length']}))
+        session.set_task(lw.Task('trot', (0.0, 0.1)))
+        assert session.state.bounds == bounds and bounds['body_length'] == (0.23, 0.25)
+        design = session.save(tmp_path / 'run')
+        assert 'freeze' not in (design.folder / 'inputs/task.toml').read_text(encoding='utf-8')
+        puppy.parameters['body_length'].freeze()
+        with pytest.raises(lw.InputError, match=r'^<session>: set_task: .*session began'):
+            session.set_task(lw.Task('walk', (0.0, 0.1)))
+    with lw.Session(puppy, lw.Task('walk', (0.0, 0.1))) as session:
+        session.set_task(lw.Task('trot', (0.0, 0.1)))  # the robot is as it was at the beginning
+        given = puppy.parameters['body_length'].value
+        assert session.state.bounds['body_length'] == (given, given)
+
+
+def test_what_is_doubtful_is_told_before_a_search(examples, sideways, tmp_path):
+    text = (examples / 'puppy/robot.xml').read_text(encoding='utf-8')
+    bare = tmp_path / 'bare.xml'
+    bare.write_text(re.sub('<custom>.*</custom>', '', text, flags=re.S), encoding='utf-8')
+    robot = lw.Robot(bare)
+    with pytest.warns(lw.LegwrightWarning, match='no design parameters') as told:
+        session = lw.Session(robot, sideways)
+    with session:
+        assert told[0].filename == __file__ and session.state.iterations == 0
+        with pytest.warns(lw.LegwrightWarning, match='no design parameters') as told:
+            session.set_task(sideways)
+        assert told[0].filename == __file__
+    run = tmp_path / 'run'
+    with warnings.catch_warnings():
+        warnings.simplefilter('error', lw.LegwrightWarning)
+        with pytest.raises(lw.LegwrightWarning, match='no design parameters'):
+            lw.codesign(robot, sideways, folder=run)
+    assert not run.exists()
 
 
 def test_saves_a_run_that_the_verbs_take(session, tmp_path):

@@ -148,3 +148,24 @@ def test_lists_take_no_tables_that_hold_for_all(puppy):
         lw.codesign(puppy, [efficient, lw.Task('trot', (0.1, 0.0))])
     with pytest.raises(lw.InputError, match='empty list'):
         lw.codesign(puppy, [])
+
+
+@pytest.mark.parametrize('named', [{}, {'name': 'mine'}])
+def test_a_pattern_of_its_own_has_the_period_of_the_first_task(named, puppy):
+    pattern = {**named, 'touchdown': [0, 0.5, 0.75, 0.25], 'duty': 0.7}
+    gait = tomllib.loads(lw.Task(pattern, (0.1, 0.0)).text(puppy))['gait']
+    starter = tomllib.loads(puppy._model.starter_text(None))['gait']
+    assert gait == {'period': starter['period'], **pattern}
+    quick = {'plan_only': True, 'reasons': False, 'certificate': False, 'max_iterations': 0}
+    design = lw.codesign(puppy, lw.Task(pattern, (0.1, 0.0)), **quick)
+    assert design.motion.period == starter['period']
+
+
+def test_gaits_are_listed_for_a_robot(puppy):
+    known = lw.gaits(puppy)
+    assert list(known)[:3] == ['walk', 'amble', 'trot'] and all(known.values())
+    assert known == lw.gaits(4) != lw.gaits(6) and lw.gaits(3) == lw.gaits(-1) == {}
+    for name in known:
+        lw.Task(name, (0.1, 0.0)).text(puppy)
+    with pytest.raises(TypeError, match='robot is a text; expected a Robot or a number of feet'):
+        lw.gaits('puppy')

@@ -3,8 +3,11 @@
 the plugin plays is measured as the plugin is."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import legwright as lw
@@ -48,8 +51,27 @@ def test_gains_cycles_and_limits_are_those_asked_for(walk, tmp_path):
     assert not strict and dict(strict.passes) == {'3-fold': False}
     assert 'tilts by' in strict.reasons[0] and strict.metrics['3-fold']['cycles'] == 5
     limits.write_text('[survival]\nlow = 0.5\n')
-    with pytest.raises(lw.InputError, match='take them out'):
+    with pytest.raises(lw.InputError, match='`legwright validate RUN --limits .*` measure them'):
         lw.validate(walk, limits=limits)
+    with pytest.raises(lw.IoError, match='No such file.*; give the path of a limits file'):
+        lw.validate(walk, limits=tmp_path / 'none.toml')
+
+
+def test_ctrl_c_ends_a_play_in_its_middle(walk):
+    played = threading.Event()
+
+    def interrupt():
+        if not played.wait(1.0):
+            os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            lw.validate(walk, cycles=100000)  # some hours
+    finally:
+        played.set()
+        thread.join()
 
 
 def test_what_cannot_be_asked_is_told(walk):
@@ -59,8 +81,19 @@ def test_what_cannot_be_asked_is_told(walk):
         lw.validate(walk, gains=[])
     with pytest.raises(ValueError, match='above 0'):
         lw.validate(walk, gains=[-1.0])
-    with pytest.raises(ValueError, match='at least 4'):
-        lw.validate(walk, cycles=3)
+    for cycles, words in (
+        (3, 'is 3; expected 4 to'),
+        (4.5, 'is a number; expected an integer'),
+        ('a', 'is a text; expected an integer'),
+        (None, 'is None; expected an integer'),
+    ):
+        with pytest.raises(ValueError, match=f'cycles: {words}'):
+            lw.validate(walk, cycles=cycles)
+    for gains in (['a'], 'ab', 3, None):
+        with pytest.raises(lw.InputError, match='gains: are .*; expected a list of factors'):
+            lw.validate(walk, gains=gains)
+    with pytest.raises(TypeError, match='limits is an integer; expected a path'):
+        lw.validate(walk, limits=3)
 
 
 @pytest.mark.parametrize('what, words', [(None, 'None'), ('runs/mine', 'a text')])

@@ -57,7 +57,7 @@ def test_doctor_tells_which_extras_are_there():
         if there:
             assert f'has legwright with {libraries[0]}' in items[extra]['detail']
         else:
-            assert f'"legwright[{extra}]" from a wheel' in items[extra]['fix']
+            assert f'"legwright[{extra}]" beside an installed wheel' in items[extra]['fix']
 
 
 def test_mujoco_finds_the_plugin_by_its_entry_point():

@@ -80,6 +80,23 @@ bool Session::has_work() const {
   return !queue_.empty() || searching_ || must_settle() || working_out_;
 }
 
+/// What goes on once an item that nobody waits for is obeyed.
+std::optional<SessionPhase> Session::phase_after(const Item& item) {
+  if (item.starts) return SessionPhase::searching;
+  if (!item.done) return SessionPhase::solving;
+  return std::nullopt;
+}
+
+/// What goes on, or will once what waits is obeyed.
+SessionPhase Session::pending() const {
+  for (auto item = queue_.rbegin(); item != queue_.rend(); ++item)
+    if (const auto phase = phase_after(*item)) return *phase;
+  if (obeying_) return *obeying_;
+  if (searching_) return SessionPhase::searching;
+  if (must_settle()) return SessionPhase::solving;
+  return working_out_ ? SessionPhase::working_out : SessionPhase::idle;
+}
+
 /// Waits until there is something to do, or the session is closed.
 void Session::await_work(std::unique_lock<std::mutex>& lock) {
   const auto at_once = [this] {
@@ -108,6 +125,7 @@ void Session::run() {
       const bool paused = !item.starts && std::exchange(searching_, false);
       const bool dropped = working_out_.has_value();
       working_out_.reset();
+      obeying_ = phase_after(item);
       lock.unlock();
       if (dropped) publish(SessionEvent::Kind::worked_out, "stopped");
       if (paused) publish(SessionEvent::Kind::ended, kPaused);
@@ -123,6 +141,7 @@ void Session::run() {
     }
     lock.lock();
     held_ = false;
+    obeying_.reset();
     const bool was_idle = std::exchange(phase_, SessionPhase::idle) == SessionPhase::idle;
     if (!was_idle && !has_work()) {  // readers see that nothing goes on
       lock.unlock();

@@ -110,6 +110,8 @@ class Session {
   /// @return false after `limit`, or where the session is closed before
   bool wait(std::chrono::milliseconds limit = std::chrono::hours(24 * 365));
 
+  /// Where it stands. Its phase tells what is pending, too: idle is where nothing goes on and
+  /// nothing waits that was posted or started.
   SnapshotPointer snapshot() const;
   /// The same, waiting up to `limit` for one of another revision than this.
   SnapshotPointer next_snapshot(std::uint64_t revision, std::chrono::milliseconds limit) const;
@@ -139,6 +141,8 @@ class Session {
   void work_out_now(AlternativeKind kind);
   bool must_settle() const;  // needs mutex_
   bool has_work() const;     // needs mutex_
+  static std::optional<SessionPhase> phase_after(const Item& item);
+  SessionPhase pending() const;  // needs mutex_
   void await_work(std::unique_lock<std::mutex>& lock);
   bool interrupted() const;
   void enqueue(Item item);
@@ -158,9 +162,10 @@ class Session {
   SessionPhase phase_ = SessionPhase::idle;
   bool closing_ = false, searching_ = false;
   std::optional<AlternativeKind> working_out_;
-  bool busy_ = false;      // the worker is at something
-  bool held_ = false;      // what it is at must not be interrupted
-  StatePointer given_up_;  // a state whose motions cannot be solved
+  bool busy_ = false;                    // the worker is at something
+  bool held_ = false;                    // what it is at must not be interrupted
+  std::optional<SessionPhase> obeying_;  // what follows from an item that nobody waits for
+  StatePointer given_up_;                // a state whose motions cannot be solved
 
   // The worker's own.
   SessionEngine engine_;

@@ -155,7 +155,11 @@ bool Session::wait(std::chrono::milliseconds limit) {
 
 SnapshotPointer Session::snapshot() const {
   const std::lock_guard lock(mutex_);
-  return snapshot_;
+  const SessionPhase phase = pending();
+  if (phase == snapshot_->phase) return snapshot_;
+  auto now = std::make_shared<SessionSnapshot>(*snapshot_);
+  now->phase = phase;
+  return now;
 }
 
 SnapshotPointer Session::next_snapshot(std::uint64_t revision,

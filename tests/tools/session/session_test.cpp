@@ -67,6 +67,19 @@ TEST_F(SessionTest, SolvesByItselfAndIsIdleThen) {
   EXPECT_EQ(session->events(0, 0ms).back().kind, Kind::solved);
 }
 
+TEST_F(SessionTest, ItsPhaseTellsWhatIsPendingOnceTheCallHasReturned) {
+  const auto session = open();
+  EXPECT_EQ(session->snapshot()->phase, SessionPhase::solving);  // for the first time
+  for (int round = 0; round < 20; ++round) {
+    ASSERT_TRUE(session->wait(60s));
+    EXPECT_EQ(session->snapshot()->phase, SessionPhase::idle);
+    session->start();
+    EXPECT_EQ(session->snapshot()->phase, SessionPhase::searching);
+    session->post(session::Edit{{{kThigh, 0.06 + 0.0001 * round}}});  // pauses it
+    EXPECT_EQ(session->snapshot()->phase, SessionPhase::solving);
+  }
+}
+
 TEST_F(SessionTest, EditingWhilePausedAndGoingOnIsThePapersWayOfWorking) {
   const auto session = open();
   session->start();

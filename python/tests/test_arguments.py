@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What calls refuse before they do anything: paths, texts, times."""
+
+import copy
+import pickle
+import shutil
+
+import legwright as lw
+import numpy as np
+import pytest
+
+QUICK = {'reasons': False, 'certificate': False, 'plan_only': True, 'max_iterations': 1}
+
+
+def nothing(s, motion):
+    return 1.0, None, None
+
+
+@pytest.mark.parametrize('key', ['unit', 'name'])
+def test_an_objective_is_named_by_texts(key):
+    for wrong, words in ((None, 'None'), (3, 'an integer'), (b'N', 'a bytes')):
+        with pytest.raises(TypeError, match=f'{key} is {words}; expected a text'):
+            lw.Objective(nothing, **{key: wrong})
+    with pytest.raises(lw.InputError, match='no text in UTF-8'):
+        lw.Objective(nothing, **{key: '\ud800'})
+
+
+def test_what_cannot_be_told_of_an_objective_is_raised_and_nothing_ends(puppy, sideways):
+    objective = lw.Objective(nothing)
+    object.__setattr__(objective, 'unit', None)
+    with pytest.raises(TypeError, match='another kind'):
+        lw.codesign(puppy, sideways, objective=objective, **QUICK)
+
+
+@pytest.mark.parametrize('wrong', ['', 'a\0b', '\ud800'])
+def test_paths_that_are_none_are_refused(wrong, puppy, sideways, walk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with lw.Session(puppy, sideways) as session:
+        for call in (
+            lambda: lw.codesign(puppy, sideways, folder=wrong, **QUICK),
+            lambda: walk.save(wrong),
+            lambda: session.save(wrong),
+            lambda: lw.Design.load(wrong),
+            lambda: lw.Session(puppy, sideways, journal=wrong),
+            lambda: lw.Session(puppy, sideways, replay=wrong),
+            lambda: lw.Robot(wrong),
+            lambda: lw.propose(wrong),
+            lambda: lw.build(wrong, 'robot.xml'),
+            lambda: lw.validate(walk, limits=wrong),
+        ):
+            with pytest.raises(lw.InputError, match='expected a path|no path can have'):
+                call()
+    with pytest.raises(TypeError, match='folder is an integer; expected a path'):
+        lw.Design.load(3)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_relative_folder_stays_where_it_was_named(puppy, sideways, tmp_path, monkeypatch):
+    for name in ('here', 'there'):
+        (tmp_path / name).mkdir()
+    monkeypatch.chdir(tmp_path / 'here')
+
+    def leave(iteration):
+        monkeypatch.chdir(tmp_path / 'there')
+
+    design = lw.codesign(puppy, sideways, folder='run', on_iteration=leave, **QUICK)
+    assert design.folder == tmp_path / 'here/run' and design.motion.period > 0.0
+    monkeypatch.chdir(tmp_path / 'here')
+    loaded = lw.Design.load('run')
+    with lw.Session(puppy, sideways, journal='a.jsonl') as session:
+        monkeypatch.chdir(tmp_path / 'there')
+        session.freeze('body_width')
+    assert loaded.motion.period > 0.0
+    assert '"body_width"' in (tmp_path / 'here/a.jsonl').read_text(encoding='utf-8')
+    assert list((tmp_path / 'there').iterdir()) == []
+
+
+def test_a_design_in_a_temporary_folder_is_not_pickled(walk, tmp_path):
+    with pytest.raises(TypeError, match='temporary folder.*folder=.*save'):
+        pickle.dumps(walk)
+    saved = lw.Design.load(walk.save(tmp_path / 'run'))
+    assert pickle.loads(pickle.dumps(saved)).F == walk.F
+
+
+@pytest.mark.parametrize('copied', [copy.copy, copy.deepcopy])
+def test_a_copy_keeps_the_temporary_folder(copied, puppy, sideways):
+    design = lw.codesign(puppy, sideways, **QUICK)
+    other = copied(design)
+    del design
+    assert other.motion.period > 0.0
+
+
+def test_a_run_without_an_end_is_no_design(walk, tmp_path):
+    run = walk.save(tmp_path / 'run')
+    shutil.rmtree(run / 'result')
+    record = (run / 'run.json').read_text(encoding='utf-8')
+    for found, words in (
+        ('"status": "running"', r'has not ended: .*resume=True'),
+        ('"status": "failed", "failure": "no memory"', 'failed .no memory.; .*force=True'),
+    ):
+        text = record.replace('"status": "converged"', found).replace('"final_F"', '"other"')
+        (run / 'run.json').write_text(text, encoding='utf-8')
+        with pytest.raises(lw.InputError, match=words):
+            lw.Design.load(run)
+
+
+def test_calls_of_a_session_tell_what_they_expect(puppy, sideways):
+    with lw.Session(puppy, sideways) as session:
+        for call, words in (
+            (lambda: session.freeze(['body_width']), 'freeze is given an array; expected names'),
+            (lambda: session.unfreeze(3), 'unfreeze is given an integer; expected names'),
+            (lambda: session.set_bounds(3, 0.1, 0.2), 'name is an integer; expected a text'),
+            (lambda: session.snapshot(3), 'name is an integer; expected a text'),
+            (lambda: session.branch(None), 'name is None; expected a text'),
+            (lambda: session.edit(3, 0.1), 'edit is given an integer; expected the name'),
+            (lambda: session.wait('a'), 'timeout is a text; expected seconds'),
+        ):
+            with pytest.raises(TypeError, match=words):
+                call()
+        with pytest.raises(lw.InputError, match='timeout: is no number'):
+            next(session.events(float('nan')))
+        with pytest.raises(lw.InputError, match='timeout: is no number'):
+            session.wait(float('nan'))
+        assert repr(session).startswith(f'<Session of {puppy.name}, <SessionState')
+    assert 'closed' in repr(session)
+
+
+def test_parameters_are_a_mapping_for_any_key(puppy):
+    for key in (0, None, ('a',)):
+        with pytest.raises(KeyError):
+            puppy.parameters[key]
+        assert key not in puppy.parameters and puppy.parameters.get(key) is None
+
+
+def test_numpys_false_ends_the_search_and_iterations_have_a_line(puppy, sideways):
+    lines = []
+
+    def ask(iteration):
+        lines.append(repr(iteration))
+        return iteration.s[0] > 10
+
+    design = lw.codesign(puppy, sideways, on_iteration=ask, **{**QUICK, 'max_iterations': 5})
+    assert design.status == 'stopped' and len(lines) == 1
+    assert lines[0].startswith('<Iteration 0 from initial: F = ')
+    goes_on = lw.codesign(puppy, sideways, on_iteration=lambda each: np.True_, **QUICK)
+    assert goes_on.status == 'iteration_limit'
