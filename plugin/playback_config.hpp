@@ -22,7 +22,8 @@ class ConfigError : public std::runtime_error {
 };
 
 /// The keys of an instance's configuration, in the order in which they are registered: the long one
-/// last, because MuJoCo looks a key up by reading over the values of all before it.
+/// last, because MuJoCo looks a key up by reading over the values of all before it. Models that
+/// mj_saveModel wrote hold values in this order.
 inline constexpr const char* kAttributes[] = {
     "period",       "travel",        "turn",      "kp",       "kd",   "ff",
     "t0",           "phase",         "speed",     "blend_in", "rest", "ghost_group",

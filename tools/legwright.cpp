@@ -63,7 +63,8 @@ int run(const Action& action) {
   } catch (const std::filesystem::filesystem_error& error) {
     if (error.code() == std::errc::not_enough_memory)
       return complain("out of memory", legwright::kInternal);
-    return complain((error.path1().string() + ": " + error.code().message()).c_str(),
+    const std::string to = error.path2().empty() ? "" : " -> " + error.path2().string();
+    return complain((error.path1().string() + to + ": " + error.code().message()).c_str(),
                     legwright::kIoError);
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::broken_pipe && std::ferror(stdout) != 0)

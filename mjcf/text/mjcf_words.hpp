@@ -11,11 +11,12 @@
 namespace legwright {
 
 /// All elements and attributes of a text that MuJoCo's schema does not have anywhere, each with its
-/// line and the word that it is a slip of: MuJoCo's parser tells the first alone, and no word. A
-/// known word in the wrong place is left to MuJoCo.
+/// line and the word that it is a slip of: MuJoCo's parser tells the first alone, and no word. Of
+/// very many the first, and how many follow. A known word in the wrong place is left to MuJoCo.
 Refusals unknown_words(const XmlFile& xml);
 
 /// The text with the words that are meant, each on its line; attributes that are none are blanks.
+/// Elements that are a slip of none stay.
 std::string with_known_words(const XmlFile& xml);
 
 /// How to mend what MuJoCo refuses with this message: a mesh file that it cannot read, or anything.

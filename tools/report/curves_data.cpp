@@ -110,7 +110,7 @@ CurvePoint point_of(const RunData& data) {
 std::string robot_sum(const RunRecord& run) {
   std::string sum;
   for (const auto& [file, own] : run.sha256)
-    if (file != "task.toml") sum.append(file).append(" ").append(own).append("\n");
+    if (!file.ends_with("task.toml")) sum.append(file).append(" ").append(own).append("\n");
   return sum;
 }
 

@@ -31,11 +31,15 @@ bool is_left_over(const std::string& name) {
          (name.starts_with('.') && name.ends_with(".tmp")) || name.starts_with(".result-");
 }
 
+}  // namespace
+
 bool is_name_of_runs(const std::string& name) {
   return kNames.contains(name) || is_left_over(name) ||
          std::any_of(kHeads.begin(), kHeads.end(),
                      [&](const char* head) { return name.starts_with(head); });
 }
+
+namespace {
 
 /// Paths of the files of a run's robot below its folder, and its licences; none where they cannot
 /// be told.

@@ -7,6 +7,9 @@
 
 namespace legwright {
 
+/// Whether the program writes files of this name into runs.
+bool is_name_of_runs(const std::string& name);
+
 /// The files in the folder of a run that are none of it: somebody put them there, and nothing may
 /// remove them. Paths below the folder, sorted; of a folder of them only itself. Where the robot's
 /// files cannot be told (inputs/ are damaged), only what lies beside the parts of a run is named.

@@ -9,6 +9,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/robot_files.hpp"
+#include "tools/run/own_files.hpp"
 
 namespace legwright {
 
@@ -21,29 +22,20 @@ namespace {
                    ": is a symbolic link, which no run has; put in its place what it leads to");
 }
 
-/// Endings of what is written into runs.
-constexpr std::array<std::string_view, 8> kWritten{".json", ".jsonl", ".csv",  ".xml",
-                                                   ".png",  ".webp",  ".html", ".md"};
-constexpr std::array<std::string_view, 7> kFolders{"result", "iterations", "tasks",     "starts",
+/// Folders of a run that are written into; those of the robot's files are the user's.
+constexpr std::array<std::string_view, 7> kWritten{"result", "iterations", "tasks",     "starts",
                                                    "front",  "candidates", "checkpoint"};
-
-template <class List>
-bool is_one_of(const List& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 }  // namespace
 
 void check_no_links(const fs::path& run) {
   for (const auto& entry : fs::directory_iterator(run)) {
     const std::string name = entry.path().filename().string();
-    const bool is_folder = is_one_of(kFolders, name);
-    const bool is_written = is_one_of(kWritten, entry.path().extension().string());
-    if (entry.is_symlink() && (is_folder || is_written)) refuse_link(entry.path());
+    const bool is_folder = std::find(kWritten.begin(), kWritten.end(), name) != kWritten.end();
+    if (entry.is_symlink() && (is_folder || is_name_of_runs(name))) refuse_link(entry.path());
     if (!is_folder || !entry.is_directory()) continue;
     for (const auto& below : fs::recursive_directory_iterator(entry.path()))
-      if (below.is_symlink() && (is_one_of(kWritten, below.path().extension().string()) ||
-                                 fs::is_directory(below.path())))
+      if (below.is_symlink() && is_name_of_runs(below.path().filename().string()))
         refuse_link(below.path());
   }
 }

@@ -12,9 +12,9 @@ namespace legwright {
 /// link, which no run has.
 void check_reach(const std::filesystem::path& run, const FileReach& reach);
 
-/// Throws InputError where a symbolic link stands in a run in the place of a file or folder that
-/// Legwright writes: through it a file elsewhere would be replaced. Links that the user has put
-/// there for other files, and those of a robot's assets, stay.
+/// Throws InputError where a symbolic link stands in a run in the place of a folder of results, or
+/// of a file that Legwright writes, by its name: through it a file elsewhere would be replaced.
+/// Links for other files, as the user's own and a robot's assets, stay.
 void check_no_links(const std::filesystem::path& run);
 
 }  // namespace legwright

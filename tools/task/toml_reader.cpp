@@ -40,7 +40,7 @@ bool inside(double value, const Range& range) {
 /// Of an angle outside of its range that would be within if it were meant in degrees.
 std::string degrees_text(double value, const Range& range) {
   const double angle = value * std::numbers::pi / 180.0;
-  if (!range.unit.starts_with("rad") || !inside(angle, range)) return "";
+  if (!range.unit.starts_with("rad") || !std::isfinite(value) || !inside(angle, range)) return "";
   return fmt::format("; {} degrees{} are {:.4g} {}", value, range.unit.substr(3), angle,
                      range.unit);
 }

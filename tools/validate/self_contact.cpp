@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/validate/self_contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstddef>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "mjcf/text/compile.hpp"
 
@@ -55,29 +58,58 @@ bool is_link(const mjModel& model, int body, int root_body) {
   return model.body_rootid[body] == model.body_rootid[root_body] && model.body_weldid[body] == body;
 }
 
-bool masks_match(const mjModel& model, int a, int b) {
-  return (model.geom_contype[a] & model.geom_conaffinity[b]) != 0 ||
-         (model.geom_contype[b] & model.geom_conaffinity[a]) != 0;
+int link_of(const mjModel& model, int geom) { return model.body_weldid[model.geom_bodyid[geom]]; }
+
+using Masks = std::set<std::pair<int, int>>;  // contype, conaffinity
+
+bool match(const Masks& a, const Masks& b) {
+  return std::any_of(a.begin(), a.end(), [&](const std::pair<int, int>& one) {
+    return std::any_of(b.begin(), b.end(), [&](const std::pair<int, int>& other) {
+      return (one.first & other.second) != 0 || (other.first & one.second) != 0;
+    });
+  });
+}
+
+/// Whether MuJoCo passes over contacts of two links, whatever their masks: <exclude>, and the
+/// filter of links next to each other.
+bool is_filtered(const mjModel& model, int a, int b) {
+  const auto above = [&](int link) { return model.body_weldid[model.body_parentid[link]]; };
+  if ((model.opt.disableflags & mjDSBL_FILTERPARENT) == 0 && (above(a) == b || above(b) == a))
+    return true;
+  const int signature = (std::min(a, b) << 16) + std::max(a, b);
+  return std::count(model.exclude_signature, model.exclude_signature + model.nexclude, signature) >
+         0;
+}
+
+/// Links that can touch another one.
+std::set<int> touching_links(const mjModel& model, int root_body) {
+  std::set<int> out;
+  if ((model.opt.disableflags & (mjDSBL_CONTACT | mjDSBL_CONSTRAINT)) != 0) return out;
+  for (int k = 0; k < model.npair; ++k) {
+    const int a = link_of(model, model.pair_geom1[k]), b = link_of(model, model.pair_geom2[k]);
+    if (a != b && is_link(model, a, root_body) && is_link(model, b, root_body)) out.insert({a, b});
+  }
+  std::map<int, Masks> masks;
+  for (int geom = 0; geom < static_cast<int>(model.ngeom); ++geom)
+    if (const int link = link_of(model, geom); is_link(model, link, root_body))
+      masks[link].insert({model.geom_contype[geom], model.geom_conaffinity[geom]});
+  for (auto a = masks.begin(); a != masks.end(); ++a)
+    for (auto b = std::next(a); b != masks.end(); ++b)
+      if (match(a->second, b->second) && !is_filtered(model, a->first, b->first))
+        out.insert({a->first, b->first});
+  return out;
 }
 
 }  // namespace
 
 std::vector<std::string> links_that_never_touch(const mjModel& model, int root_body) {
-  std::vector<bool> touches(static_cast<std::size_t>(model.nbody), false);
-  const auto link_of = [&](int geom) { return model.body_weldid[model.geom_bodyid[geom]]; };
-  const auto is_own = [&](int geom) { return is_link(model, link_of(geom), root_body); };
-  for (int a = 0; a < static_cast<int>(model.ngeom); ++a) {
-    if (!is_own(a)) continue;
-    for (int b = a + 1; b < static_cast<int>(model.ngeom); ++b) {
-      if (!is_own(b) || link_of(a) == link_of(b) || !masks_match(model, a, b)) continue;
-      touches[static_cast<std::size_t>(link_of(a))] = true;
-      touches[static_cast<std::size_t>(link_of(b))] = true;
-    }
-  }
+  const std::set<int> touch = touching_links(model, root_body);
   std::vector<std::string> out;
-  for (int body = 1; body < static_cast<int>(model.nbody); ++body)
-    if (is_link(model, body, root_body) && !touches[static_cast<std::size_t>(body)])
-      out.push_back(name_of(model, mjOBJ_BODY, body));
+  for (int body = 1; body < static_cast<int>(model.nbody); ++body) {
+    if (!is_link(model, body, root_body) || touch.contains(body)) continue;
+    const std::string name = name_of(model, mjOBJ_BODY, body);
+    out.push_back(name.empty() ? fmt::format("body {}", body) : name);
+  }
   return out;
 }
 

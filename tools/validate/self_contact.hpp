@@ -32,9 +32,10 @@ class SelfContactWatch {
   SelfContact out_;
 };
 
-/// Links of the robot below a body, by their bodies' names, none of whose geoms can touch another
-/// link: their masks (contype, conaffinity) match those of none. Nobody asks whether they do, so
-/// that they may pass through each other. In the order of the model; at most all of them.
+/// Links of the robot below a body, by their bodies' names ("body 7" without), none of whose geoms
+/// can touch another link in MuJoCo: by masks (contype, conaffinity), <pair>, <exclude>, the filter
+/// of links next to each other, the switches of <option>. Nobody asks whether they do, so that they
+/// may pass through others. In the order of the model.
 std::vector<std::string> links_that_never_touch(const mjModel& model, int root_body);
 /// How many links there are: bodies that move against each other.
 int link_count(const mjModel& model, int root_body);

@@ -128,7 +128,8 @@ int export_run(const ExportOptions& options) {
   try {
     facts.gaits = write_gaits(options.run, folder.path());
   } catch (const MujocoError& error) {
-    throw InputError(std::string(error.what()) + "; run `legwright optimize` again");
+    throw InputError(std::string(error.what()) +
+                     "; if it is the run's, `legwright optimize` makes it anew");
   }
   facts.urdf = options.urdf || options.ros;
   if (facts.urdf) facts.urdf_lost = write_urdf(from.after, folder.path(), name);

@@ -8,6 +8,7 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/run_lock.hpp"
+#include "tools/run/run_reach.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/records.hpp"
 #include "tools/verbs/task_of_run.hpp"
@@ -68,7 +69,10 @@ EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
                              const EngineOptions& options) {
   check(options);
   std::optional<RunLock> lock;
-  if (options.write) lock.emplace(folder.root());
+  if (options.write) {
+    check_no_links(folder.root());
+    lock.emplace(folder.root());
+  }
   JudgedSums of = sums_of_result(folder.root());
   const TaskOfRun task = task_of_run(folder);
   const Limits limits = limits_of(options, task, engine);

@@ -11,7 +11,8 @@ namespace legwright {
 
 namespace fs = std::filesystem;
 
-JunitFile::JunitFile(fs::path path) : path_(std::move(path)) {
+JunitFile::JunitFile(fs::path path, std::string suite)
+    : path_(std::move(path)), suite_(std::move(suite)) {
   constexpr std::size_t kHead = 400;  // [bytes] within which the root element begins
   if (path_.empty()) return;
   const fs::path folder = path_.parent_path();
@@ -20,21 +21,22 @@ JunitFile::JunitFile(fs::path path) : path_(std::move(path)) {
                   "; make it, or name another");
   if (fs::is_directory(path_))
     throw IoError("--junit " + path_.string() + ": is a folder; name a file in it");
-  if (!fs::is_regular_file(path_)) return;
-  const std::string head = read_head(path_, kHead);
+  if (fs::exists(path_) && !fs::is_regular_file(path_)) return;  // a pipe gets the verdict alone
+  const std::string head = fs::exists(path_) ? read_head(path_, kHead) : "";
   if (!head.empty() && head.find("<testsuite") == std::string::npos)
     throw InputError("--junit " + path_.string() +
                      ": is there and holds something else than JUnit XML; name another file");
+  write_file(path_, junit_error_xml(suite_, "the judgement did not come to its end"));
 }
 
 void JunitFile::write(const std::vector<JunitSuite>& suites) const {
   if (!path_.empty()) write_file(path_, junit_xml(suites));
 }
 
-void JunitFile::write_error(const std::string& suite, const std::string& message) const noexcept {
+void JunitFile::write_error(const std::string& message) const noexcept {
   if (path_.empty()) return;
   try {
-    write_file(path_, junit_error_xml(suite, message));
+    write_file(path_, junit_error_xml(suite_, message));
   } catch (const std::exception&) {  // what went wrong is told already
   }
 }

@@ -9,19 +9,23 @@
 
 namespace legwright {
 
-/// The file that --junit names. It is there whatever comes of the judgement: one of an earlier run
-/// that stays would be published as this one's.
+/// The file that --junit names. From the first moment on it says that there is no verdict, until
+/// there is one: that of an earlier run would be published as this one's, however this one ends.
 class JunitFile {
  public:
-  /// Nothing is written where no path was given. Throws InputError, before anything is played,
-  /// where the folder is missing or the file that is there is no JUnit XML: it is somebody's.
-  explicit JunitFile(std::filesystem::path path);
+  /// Nothing is written where no path was given. Throws, before anything is played, IoError where
+  /// there is no folder to write into, InputError where the file that is there is no JUnit XML: it
+  /// is somebody's.
+  /// @param suite what a run is called in the file
+  JunitFile(std::filesystem::path path, std::string suite);
   void write(const std::vector<JunitSuite>& suites) const;
-  /// An error in the place of the verdict; what cannot be written is passed over.
-  void write_error(const std::string& suite, const std::string& message) const noexcept;
+  /// Why there is no verdict; what cannot be written is passed over.
+  void write_error(const std::string& message) const noexcept;
+  const std::string& suite() const { return suite_; }
 
  private:
   std::filesystem::path path_;
+  std::string suite_;
 };
 
 }  // namespace legwright

@@ -61,6 +61,18 @@ TEST(MjcfWords, HideNothingElseThatIsWrong) {
   }
 }
 
+TEST(MjcfWords, OfVeryManyTheFirstAreTold) {
+  std::string geoms;
+  for (int k = 0; k < 5000; ++k)
+    geoms += "<geom size=\"0.1\" colour" + std::to_string(k) + "=\"\"/>\n";
+  const auto read = load_xml("<mujoco><worldbody>\n" + geoms + "</worldbody></mujoco>", "many.xml");
+  const Refusals told = unknown_words(*read);
+  ASSERT_EQ(told.all().size(), 51U);
+  EXPECT_TRUE(
+      in_order(told.all().back().what(), {"many.xml:5001: geom", "last of 4950 more places"}));
+  EXPECT_TRUE(unknown_words(*load_xml(with_known_words(*read), "many.xml")).empty());
+}
+
 TEST(MjcfWords, ASlipInTheFreeJointIsNoRobotWithoutOne) {
   EXPECT_TRUE(in_order(told_of_puppy("<freejoint", "<freejoin"),
                        {"freejoin", "did you mean 'freejoint'?"}));

@@ -42,7 +42,10 @@ class CurvesTest : public testing::Test {
     record.motion_only = run.motion_only;
     record.task->gait = "tripod";
     record.task->velocity = {run.speed, 0.0};
-    record.sha256 = {{"robot.xml", run.robot}, {"parts/leg.xml", run.leg}, {"task.toml", name}};
+    record.sha256 = {{"robot.xml", run.robot},
+                     {"parts/leg.xml", run.leg},
+                     {"task.toml", name},
+                     {"inputs/task.toml", name}};
     record.final_F = 2.5;
     if (run.optimum) {
       CandidateRecord optimum;

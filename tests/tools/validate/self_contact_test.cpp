@@ -34,15 +34,17 @@ OwnModel balls(bool collide) {
 
 /// A trunk with two legs, whose feet collide, and a lid that is fixed to it.
 TEST(NeverTouch, NamesLinksWithoutAShapeThatMeetsAnother) {
-  const auto names = [](const std::string& left, const std::string& right) {
+  const auto names = [](const std::string& left, const std::string& right,
+                        const std::string& more = "",
+                        const std::string& trunk = "contype=\"0\" conaffinity=\"0\"") {
     const std::string xml = fmt::format(
         R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/>
-  <body name="trunk"><freejoint/><geom size="0.1" contype="0" conaffinity="0"/>
+  <body name="trunk"><freejoint/><geom size="0.1" {}/>
     <body name="lid"><geom size="0.1" contype="0" conaffinity="0"/></body>
     <body name="left" pos="0 1 0"><joint/><geom size="0.1" {}/></body>
     <body name="right" pos="0 -1 0"><joint/><geom size="0.1" {}/></body></body>
-</worldbody></mujoco>)",
-        left, right);
+</worldbody>{}</mujoco>)",
+        trunk, left, right, more);
     char error[256] = "";
     mjSpec* spec = mj_parseXMLString(xml.c_str(), nullptr, error, sizeof error);
     EXPECT_NE(spec, nullptr) << error;
@@ -59,6 +61,16 @@ TEST(NeverTouch, NamesLinksWithoutAShapeThatMeetsAnother) {
   EXPECT_EQ(names("contype=\"1\" conaffinity=\"2\"", "contype=\"1\" conaffinity=\"2\""),
             (Names{"trunk", "left", "right"}))
       << "they meet the floor alone";
+  const Names all{"trunk", "left", "right"}, none{"trunk"};
+  EXPECT_EQ(names("", "", "<contact><exclude body1=\"right\" body2=\"left\"/></contact>"), all);
+  EXPECT_EQ(names("name=\"a\" contype=\"0\" conaffinity=\"0\"", "name=\"b\"",
+                  "<contact><pair geom1=\"a\" geom2=\"b\"/></contact>"),
+            none);
+  EXPECT_EQ(names("", "", "<option><flag contact=\"disable\"/></option>"), all);
+  EXPECT_EQ(names("contype=\"0\" conaffinity=\"4\"", "contype=\"0\" conaffinity=\"0\"", "",
+                  "contype=\"4\" conaffinity=\"0\""),
+            all)
+      << "next to each other";
 }
 
 SelfContact fly(const mjModel& model) {

@@ -66,7 +66,9 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
   }
   EXPECT_LT(run["certificate"]["worst_gradient_error"].get<double>(), 1e-4);
 
-  const Outcome validate = call({"validate", "run", "--quick"});
+  const Outcome validate = call({"validate", "run", "--quick", "--junit", "out.xml"});
+  const std::string junit = read_file(folder_.path() / "out.xml");
+  EXPECT_TRUE(contains(junit, "<testsuite name=\"run.")) << junit.substr(0, 400);
   EXPECT_LE(validate.code, 1) << validate.err;
   const Json matrix = json("run/result/matrix.json");
   ASSERT_EQ(matrix["designs"].size(), 4u);

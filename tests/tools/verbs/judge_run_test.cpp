@@ -178,8 +178,12 @@ TEST_F(JudgeRun, LinksInARunAreNotWrittenThrough) {
   fs::create_symlink(other, run_ / "report.html");
   EXPECT_THROW((void)ResultFolder::open_to_write(run_), InputError);
   fs::remove(run_ / "report.html");
-  fs::create_symlink(other, run_ / "my notes");  // nobody writes there
+  for (const char* mine : {"notes.md", "result/skin.png"})  // nobody writes there
+    fs::create_symlink(other, run_ / mine);
   EXPECT_NO_THROW((void)ResultFolder::open_to_write(run_));
+  fs::rename(run_ / "iterations", folder_.path() / "elsewhere");
+  fs::create_directory_symlink(folder_.path() / "elsewhere", run_ / "iterations");
+  EXPECT_THROW((void)ResultFolder::open_to_write(run_), InputError);
 }
 
 TEST_F(JudgeRun, LinksThatCannotTouchAreTold) {
