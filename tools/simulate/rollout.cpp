@@ -12,13 +12,6 @@ namespace {
 
 constexpr long long kStepsBetweenStops = 100;
 
-thread_local const std::function<bool()>* stop_of_thread = nullptr;  // that of a RolloutStop
-
-bool asks_to_stop(const RolloutOptions& options) {
-  if (options.stop) return options.stop();
-  return stop_of_thread != nullptr && (*stop_of_thread)();
-}
-
 // With all that is fixed to it. Feet may sit on it; they are there to touch the ground.
 bool trunk_touches_world(const Scene& scene, const mjData& data) {
   const mjModel& model = *scene.model;
@@ -36,11 +29,6 @@ bool trunk_touches_world(const Scene& scene, const mjData& data) {
 }
 
 }  // namespace
-
-RolloutStop::RolloutStop(std::function<bool()> stop)
-    : stop_(std::move(stop)), before_(std::exchange(stop_of_thread, &stop_)) {}
-
-RolloutStop::~RolloutStop() { stop_of_thread = before_; }
 
 double trunk_com_height(const mjModel& model, const mjData& data, int root_body) {
   double mass = 0.0, moment = 0.0;
@@ -102,7 +90,7 @@ const Rollout& ResumableRollout::play_to(int cycles,
   const MujocoMessages messages;
   const auto last = std::llround(cycles * scene_.trajectory.period / scene_.model->opt.timestep);
   for (; !out_.fall && !out_.diverged && next_ <= last; ++next_) {
-    if (next_ % kStepsBetweenStops == 0 && asks_to_stop(options_)) throw RolloutStopped();
+    if (options_.stop && next_ % kStepsBetweenStops == 0 && options_.stop()) throw RolloutStopped();
     if (!play_step(observe)) break;
   }
   out_.warnings = health_.warnings(*data_);

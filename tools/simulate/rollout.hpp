@@ -53,18 +53,6 @@ struct RolloutOptions {
   std::function<void(mjData&, double)> step = {};  // does the work of mj_step, at this time [s]
 };
 
-/// While it lives, roll-outs of this thread that have no `stop` of their own ask this one.
-class RolloutStop {
- public:
-  explicit RolloutStop(std::function<bool()> stop);
-  ~RolloutStop();
-  RolloutStop(const RolloutStop&) = delete;
-
- private:
-  std::function<bool()> stop_;
-  const std::function<bool()>* before_;
-};
-
 struct RolloutFrame {
   double time;
   std::vector<double> qpos;

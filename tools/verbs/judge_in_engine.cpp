@@ -16,12 +16,13 @@
 namespace legwright {
 namespace {
 
-Limits limits_of(const EngineOptions& options, const TaskOfRun& task, const Engine& engine) {
+Limits limits_of(const EngineOptions& options, const TaskOfRun& task) {
   Limits limits = options.limits.empty() ? default_limits() : read_limits(options.limits);
   if (need_robustness(limits) || ask_for_numerics(limits))
     throw InputError(options.limits.string(), 0, "",
-                     "has limits on survival, margins or numerics, which are not measured in " +
-                         engine.name + "; take them out, or validate in MuJoCo");
+                     "has limits on survival, margins or numerics, which are not measured here; "
+                     "take them out, or have `legwright validate RUN --limits " +
+                         options.limits.string() + "` measure them");
   limits.erase("numerics");
   return with_step_over(std::move(limits), task.step_over);
 }
@@ -30,6 +31,7 @@ Measurements measure_in(const Engine& engine, const Scene& scene, const SceneToV
                         const TaskOfRun& task, const EngineOptions& options) {
   RolloutOptions rollout;
   rollout.cycles = options.cycles;
+  rollout.stop = options.stop;
   if (engine.start) rollout.step = played_by(scene, engine.start(scene));
   Measurements out = measure(scene, task.wanted, what.plan_velocity, rollout);
   if (engine.start) out.warnings.clear();  // MuJoCo did not play, and has nothing to warn of
@@ -75,7 +77,7 @@ EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
   }
   JudgedSums of = sums_of_result(folder.root());
   const TaskOfRun task = task_of_run(folder);
-  const Limits limits = limits_of(options, task, engine);
+  const Limits limits = limits_of(options, task);
   SceneValidation played;
   try {
     const SceneToValidate what = scene_to_validate(folder.result());

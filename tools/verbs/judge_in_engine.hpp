@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct Engine {
 struct EngineOptions {
   int cycles = 20;
   std::vector<double> gain_scales = {0.5, 1.0, 2.0};
-  std::filesystem::path limits;  // a limits file; empty: what holds by default
-  bool write = false;            // the record, into result/, which is locked meanwhile
+  std::filesystem::path limits;     // a limits file; empty: what holds by default
+  bool write = false;               // the record, into result/, which is locked meanwhile
+  std::function<bool()> stop = {};  // asked while it plays; RolloutStopped where it says so
 };
 
 /// Plays the result of a run of one task in an engine, at each gain, and judges it by the measures

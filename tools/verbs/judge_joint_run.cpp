@@ -35,7 +35,7 @@ std::vector<std::pair<const SceneValidation*, const Verdict*>> in_order(const Ju
   std::vector<std::pair<const SceneValidation*, const Verdict*>> order;
   for (std::size_t k = 0; k < judged.designs.size(); ++k)
     if (k != 1) order.emplace_back(&judged.designs[k], &judged.designs[k].verdict);
-  order.emplace_back(&judged.designs[1], &judged.at_gains);
+  order.emplace_back(&judged.designs[1], &judged.verdict_at_gains);
   return order;
 }
 

@@ -139,7 +139,7 @@ void play_and_judge(const ResultFolder& folder, const TaskOfRun& task,
                                       scene_to_validate(folder.result())};
   for (const fs::path& other : others) scenes.push_back(scene_to_validate(other));
   judged.designs = validate_scenes(scenes, task.wanted, task.gait, options.validation);
-  judged.at_gains = judged.designs[1].verdict;
+  judged.verdict_at_gains = judged.designs[1].verdict;
   judge_further(task, scenes[1], options, judged);
   judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
   judged.home_touches = home_touches_of(folder);

@@ -20,7 +20,7 @@ struct JudgedRun {
   MetricsRecord metrics;                     // as written into result/
   VerdictRecord verdict;                     // likewise
   std::vector<SceneValidation> designs;      // initial body, result, then the others
-  Verdict at_gains;                          // on the result, by what the others are asked, too
+  Verdict verdict_at_gains;                  // on the result, by what the others are asked, too
   std::optional<SecondOpinion> numerics;     // on the result
   std::optional<Robustness> robustness;      // of the result
   std::vector<HomeTouch> home_touches;       // of the designed body, which the initial one has not

@@ -29,12 +29,13 @@ JunitFile::JunitFile(fs::path path, std::string suite)
   write_file(path_, junit_error_xml(suite_, "the judgement did not come to its end"));
 }
 
-void JunitFile::write(const std::vector<JunitSuite>& suites) const {
+void JunitFile::write(const std::vector<JunitSuite>& suites) {
   if (!path_.empty()) write_file(path_, junit_xml(suites));
+  has_verdict_ = true;
 }
 
 void JunitFile::write_error(const std::string& message) const noexcept {
-  if (path_.empty()) return;
+  if (path_.empty() || has_verdict_) return;
   try {
     write_file(path_, junit_error_xml(suite_, message));
   } catch (const std::exception&) {  // what went wrong is told already

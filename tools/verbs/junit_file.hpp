@@ -18,14 +18,15 @@ class JunitFile {
   /// is somebody's.
   /// @param suite what a run is called in the file
   JunitFile(std::filesystem::path path, std::string suite);
-  void write(const std::vector<JunitSuite>& suites) const;
-  /// Why there is no verdict; what cannot be written is passed over.
+  void write(const std::vector<JunitSuite>& suites);
+  /// Why there is no verdict, unless there is one; what cannot be written is passed over.
   void write_error(const std::string& message) const noexcept;
   const std::string& suite() const { return suite_; }
 
  private:
   std::filesystem::path path_;
   std::string suite_;
+  bool has_verdict_ = false;
 };
 
 }  // namespace legwright

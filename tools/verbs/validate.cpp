@@ -139,31 +139,17 @@ std::string common_body_words(const MatrixRecord& matrix, const std::vector<Judg
                               const RunRecord& run) {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < judged.size(); ++k)
-    if (judged[k].at_gains.pass != judged[k].designs[1].verdict.pass)
+    if (judged[k].verdict_at_gains.pass != judged[k].designs[1].verdict.pass)
       names.push_back((*run.tasks)[k].name);
   return names.empty() ? ""
                        : fmt::format("with all that was asked the body for all tasks {}: {}\n",
                                      matrix.pass ? "passes" : "fails", joined_by_and(names));
 }
 
-/// Does some work; why it cannot be done goes into the JUnit file, too.
-template <class Work>
-auto told_in(const JunitFile& junit, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    junit.write_error(error.what());
-    throw;
-  }
-}
-
-int validate_joint(const ResultFolder& folder, const RunRecord& run, const JunitFile& junit,
+int validate_joint(const ResultFolder& folder, const RunRecord& run, JunitFile& junit,
                    const ValidateOptions& options) {
   std::vector<JudgedRun> judged;
-  const MatrixRecord matrix =
-      told_in(junit, [&] { return judge_joint_run(folder, run, options.judge, judged); });
+  const MatrixRecord matrix = judge_joint_run(folder, run, options.judge, judged);
   std::vector<JunitSuite> suites;
   for (std::size_t k = 0; k < judged.size(); ++k)
     suites.push_back(
@@ -214,21 +200,16 @@ int validate_elsewhere(const ValidateOptions& options) {
   return run_python_module(drake_part(), words);
 }
 
-int validate_here(ValidateOptions options, const JunitFile& junit) {
-  told_in(junit, [&] {
-    if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
-    refuse_if_too_quick(options);
-  });
+int validate_here(ValidateOptions options, JunitFile& junit) {
+  if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
+  refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
   options.judge.validation.progress = live_progress(options.progress);
-  const ResultFolder folder =
-      told_in(junit, [&] { return ResultFolder::open_to_write(options.run); });
-  const RunRecord run = told_in(junit, [&] {
-    options.check_run(options.run);
-    return read_run_record(folder);
-  });
+  const ResultFolder folder = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);
+  const RunRecord run = read_run_record(folder);
   if (run.joint()) return validate_joint(folder, run, junit, options);
-  const JudgedRun judged = told_in(junit, [&] { return judge_run(folder, options.judge); });
+  const JudgedRun judged = judge_run(folder, options.judge);
   const Verdict& verdict = judged.designs[1].verdict;
   junit.write({{junit.suite(), verdict, judged.of}});
   if (options.json) {
@@ -246,8 +227,15 @@ int validate_here(ValidateOptions options, const JunitFile& junit) {
 
 int validate(const ValidateOptions& options) {
   if (options.engine != "mujoco") return validate_elsewhere(options);
-  const JunitFile junit(options.junit, suite_of(options.run));
-  return validate_here(options, junit);
+  JunitFile junit(options.junit, suite_of(options.run));
+  try {
+    return validate_here(options, junit);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    junit.write_error(error.what());
+    throw;
+  }
 }
 
 void add_options(CLI::App& verb, ValidateOptions& options) {

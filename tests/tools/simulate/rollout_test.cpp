@@ -43,21 +43,6 @@ TEST(Rollout, StandingTableStands) {
   EXPECT_TRUE(judge({run}, kStanding, "wag").pass);
 }
 
-TEST(Rollout, IsStoppedByTheStopOfItsThreadUnlessItHasItsOwn) {
-  int asked = 0;
-  {
-    const RolloutStop stop([&] { return ++asked > 1; });
-    EXPECT_THROW((void)play(TinyScene{}, kStanding), RolloutStopped);
-    EXPECT_EQ(asked, 2);
-    RolloutOptions options;
-    options.stop = [] { return false; };
-    const TinyScene tiny;
-    (void)rollout(parse_scene(tiny.xml(), "tiny"), options);
-    EXPECT_EQ(asked, 2);
-  }
-  EXPECT_EQ(play(TinyScene{}, kStanding).cycles, 6);
-}
-
 TEST(Rollout, GlidingTableHasItsSpeedAndSlips) {
   TinyScene tiny;
   tiny.friction = 0.0;

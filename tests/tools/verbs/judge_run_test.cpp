@@ -131,6 +131,16 @@ TEST_F(JudgeRun, ASecondEngineDoesNotWriteIntoOneEither) {
   EXPECT_FALSE(fs::exists(file));
 }
 
+TEST_F(JudgeRun, APlayInAnEngineIsStoppedOnTheWay) {
+  EngineOptions options;
+  options.cycles = 4;
+  int asked = 0;
+  options.stop = [&] { return ++asked > 1; };
+  EXPECT_THROW((void)judge_in_engine(ResultFolder::open(run_), {"mujoco", "1", {}}, options),
+               RolloutStopped);
+  EXPECT_EQ(asked, 2);
+}
+
 TEST_F(JudgeRun, FilesThatDoNotBelongTogetherAreNotJudged) {
   const auto refusal = [&] {
     try {
