@@ -6,6 +6,7 @@
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "tests/mjcf/robots/robots.hpp"
+#include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/support/text.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 

@@ -14,6 +14,7 @@
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/simulate/mujoco_host.hpp"
+#include "tools/simulate/rollout.hpp"
 #include "tools/studio/verdict_lines.hpp"
 #include "tools/verbs/export_facts.hpp"
 #include "tools/verbs/judge_in_engine.hpp"
