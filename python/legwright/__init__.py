@@ -14,8 +14,9 @@ Importing it makes the plugin legwright.gait known to MuJoCo.
 from legwright._assembly import build
 from legwright._codesign import Iteration, codesign
 from legwright._core import __version__, mujoco_version
-from legwright._design import Design, FrontPoint, Verdict
+from legwright._design import Design
 from legwright._errors import InputError, IoError, LegwrightError, LegwrightWarning, MujocoError
+from legwright._judgement import Judgement
 from legwright._motion import Motion
 from legwright._objective import Objective, PlannedMotion
 from legwright._plugin import register as _register
@@ -25,6 +26,7 @@ from legwright._session import Session
 from legwright._session_state import SessionEvent, SessionState
 from legwright._task import Task, gaits
 from legwright._validate import Validation, validate
+from legwright._verdict import FrontPoint, Verdict
 from legwright._why import Change
 
 __all__ = [
@@ -34,6 +36,7 @@ __all__ = [
     'InputError',
     'IoError',
     'Iteration',
+    'Judgement',
     'LegwrightError',
     'LegwrightWarning',
     'Motion',

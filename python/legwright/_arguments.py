@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from legwright._errors import InputError
+from legwright._errors import InputError, check_readable
 from legwright._options import kind_of
 
 
@@ -30,6 +30,13 @@ def path_of(what: str, value: Any, *, absolute: bool = True) -> Path:
     if '\0' in given or not _has_bytes(given):
         raise _refusal(what, f'is {given!r}, with letters that no path can have')
     return Path(given).absolute() if absolute else Path(given)
+
+
+def limits_file(value: Any) -> Path:
+    """A file of limits that can be read. Raises as path_of(), and IoError."""
+    file = path_of('limits', value, absolute=False)
+    check_readable(file, 'give the path of a limits file, for instance examples/limits.toml')
+    return file
 
 
 def _has_bytes(path: str) -> bool:

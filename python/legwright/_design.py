@@ -2,10 +2,8 @@
 """What a co-design hands back: a view of a run folder."""
 
 import os
-import shutil
 import tempfile
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -13,66 +11,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from legwright import _core
-from legwright._arguments import path_of
-from legwright._errors import InputError, IoError
+from legwright import _command, _core, _program
+from legwright._arguments import limits_file, path_of
+from legwright._errors import IoError
 from legwright._files import read_json
 from legwright._html import design_html
+from legwright._judgement import Judgement, judge
 from legwright._motion import Motion, read_motion
+from legwright._options import JUDGE, checked
 from legwright._plugin import served_mujoco
+from legwright._run_folder import no_end, save_run
+from legwright._verdict import FrontPoint, Verdict, finite_or_inf
 from legwright._why import Change, changes_of
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """What MuJoCo says of a design at half, default and double servo gains."""
-
-    passed: bool
-    """Whether the gait does what the task asks for at all three gains."""
-    line: str
-    """The verdict in words: "PASS  walk sideways at 0.100 m/s: …"."""
-    merit: float
-    """How far the gait is from passing; 0 where it passes, not finite where the robot fell."""
-
-    def __bool__(self) -> bool:
-        return self.passed
-
-    def __str__(self) -> str:
-        return self.line
-
-
-@dataclass(frozen=True)
-class FrontPoint:
-    """A body on the trade-off between two tasks, with its best motions."""
-
-    weight: float
-    """Of the first task; 1 minus it of the second. 0 and 1 are the bodies for one task alone."""
-    F: float
-    """The weighted sum."""
-    F_of: dict[str, float]
-    """F of each task, by its name."""
-    s: NDArray[np.float64]
-    """The body, in the order of robot.parameters [m, rad]."""
-    status: str
-    """How its search ended."""
-
-
-def _finite_or_inf(number: float | None) -> float:
-    """JSON has null for what is not finite."""
-    return float('inf') if number is None else float(number)
-
-
-def _no_end(folder: Path, record: Mapping[str, Any]) -> InputError:
-    """Why a run has no design, with the way on."""
-    if failure := record.get('failure'):
-        message = f'its run failed ({failure}); begin it anew with force=True'
-    else:
-        message = (
-            'its search has not ended: it is still going on, or was killed; then '
-            f'codesign(…, folder={str(folder)!r}, resume=True) goes on with it, with the same '
-            'arguments otherwise'
-        )
-    return InputError(f'{folder}: {message}', str(folder), 0, '', message)
 
 
 class Design:
@@ -96,7 +46,7 @@ class Design:
         self.record: dict[str, Any] = self._json('run.json')
         """All that run.json says: docs/schema/run.schema.json is its schema."""
         if 'final_F' not in self.record:
-            raise _no_end(self.folder, self.record)
+            raise no_end(self.folder, self.record)
 
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> 'Design':
@@ -156,7 +106,7 @@ class Design:
         It is that of the design handed back: where MuJoCo does not pass the optimum, one that it
         passes costs more than the optimum does, and more than `front` at the same weights;
         `optimum_F` tells that cost."""
-        return _finite_or_inf(self.record['final_F'])
+        return finite_or_inf(self.record['final_F'])
 
     @property
     def optimum_F(self) -> float:
@@ -165,27 +115,27 @@ class Design:
         choice = self.record.get('choice')
         played = [] if choice is None else choice['candidates']
         found = [each['F'] for each in played if each['name'] == 'optimum']
-        return _finite_or_inf(found[0]) if found else self.F
+        return finite_or_inf(found[0]) if found else self.F
 
     @property
     def J(self) -> float:
         """The outer objective; 0 without one; of several tasks the weighted sum."""
         if not self.joint:
-            return _finite_or_inf(self.record['final_J'])
+            return finite_or_inf(self.record['final_J'])
         tasks = self.record['tasks']
         return float(sum(task['weight'] * self.tasks[task['name']].J for task in tasks))
 
     @property
     def motion_only_F(self) -> float:
         """F of the given body with its best motion."""
-        return _finite_or_inf(self.record['motion_only_F'])
+        return finite_or_inf(self.record['motion_only_F'])
 
     @cached_property
     def terms(self) -> dict[str, float]:
         """What F consists of, by term; of several tasks the weighted sums."""
         if not self.joint:
             found = self.record['final_terms'] or {}
-            return {name: _finite_or_inf(value) for name, value in found.items()}
+            return {name: finite_or_inf(value) for name, value in found.items()}
         sums: dict[str, float] = {}
         for task in self.record['tasks']:
             for name, value in self.tasks[task['name']].terms.items():
@@ -224,7 +174,7 @@ class Design:
             played = self._played if chosen is None else chosen['played']
         if played is None:
             return None
-        return Verdict(played['pass'], played['line'], _finite_or_inf(played['merit']))
+        return Verdict(played['pass'], played['line'], finite_or_inf(played['merit']))
 
     @property
     def _chosen(self) -> dict[str, Any] | None:
@@ -276,8 +226,8 @@ class Design:
         return [
             FrontPoint(
                 point['weight'],
-                _finite_or_inf(point['F']),
-                {name: _finite_or_inf(F) for name, F in point['F_tasks'].items()},
+                finite_or_inf(point['F']),
+                {name: finite_or_inf(F) for name, F in point['F_tasks'].items()},
                 np.array(list(point['s'].values()), dtype=np.float64),
                 point['status'],
             )
@@ -336,33 +286,108 @@ class Design:
             IoError: where the folder holds a run, cannot be written, or lies in that of the design
                 or around it.
         """
+        return save_run(self.folder, path_of('folder', folder), force)
+
+    # ---- what the program's other verbs make of it ----
+
+    def validate(
+        self,
+        *,
+        limits: str | os.PathLike[str] | None = None,
+        quick: bool = False,
+        cycles: int = 20,
+        samples: int = 200,
+        seed: int = 1,
+        threads: int = 0,
+    ) -> Judgement:
+        """The whole verdict of `legwright validate`: three gains, other numerics, disturbances.
+
+        What it measures stands in `folder` then, where render() and report() find it;
+        legwright.validate() writes nothing.
+
+        Args:
+            limits: a TOML file of what passes, as examples/limits.toml; default: what holds by
+                default.
+            quick: at three gains alone.
+            cycles: of the gait.
+            samples: walks with all disturbances at once.
+            seed: of these.
+            threads: default: all cores; results do not depend on it.
+
+        Raises:
+            InputError: for options outside their range, by keyword; for limits that are wrong.
+            IoError: where the folder cannot be written.
+            KeyboardInterrupt: on Ctrl-C, within two seconds; what an earlier one wrote stays.
+        """
+        given = {'quick': quick, 'cycles': cycles, 'samples': samples, 'seed': seed}
+        words = checked(JUDGE, given | {'threads': threads})
+        options = ['--quick'] * words.pop('quick')
+        if words['threads'] == 0:
+            del words['threads']
+        for name, value in words.items():
+            options += [f'--{name}', str(value)]
+        if limits is not None:
+            options += ['--limits', str(limits_file(limits))]
+        tasks = {name: each.folder for name, each in self.tasks.items()} if self.joint else {}
+        return judge(self.folder, tasks, options)
+
+    def render(self, *, phases: Iterable[float] = ()) -> list[Path]:
+        """Draws the run's pictures into `folder`, off-screen, as `legwright render`.
+
+        Those of what physics did need validate() first; what is left out is a LegwrightWarning.
+
+        Args:
+            phases: of the cycle, 0 to 1: also a still at each.
+
+        Returns:
+            the files, `result/gait.webp` among them.
+
+        Raises:
+            InputError: for a phase that is none.
+            IoError: without OpenGL (OSMesa or EGL), and where the folder cannot be written.
+        """
+        words = [word for phase in phases for word in ('--phase', repr(float(phase)))]
+        document = _program.answer('render', str(self.folder), *words)
+        return [Path(each['file']) for each in document['files']]
+
+    def report(self) -> Path:
+        """Writes the report of the run, as `legwright report`: one page that opens from disk.
+
+        What it tells of physics and shows as pictures is what validate() and render() wrote.
+
+        Raises IoError where the folder cannot be written.
+        """
+        return Path(_program.answer('report', str(self.folder))['report'])
+
+    def export(
+        self,
+        folder: str | os.PathLike[str],
+        *,
+        picture: bool = True,
+        urdf: bool = False,
+        ros: bool = False,
+    ) -> Path:
+        """Puts the robot and its gait into a new folder, for stock MuJoCo, as `legwright export`.
+
+        Args:
+            folder: which must not exist.
+            picture: draw one of the robot; needs OpenGL.
+            urdf: also as URDF, with its meshes.
+            ros: also as a ROS 2 package.
+
+        Returns:
+            the folder; its README.md tells what the files are.
+
+        Raises:
+            InputError: for a robot that URDF cannot tell.
+            IoError: where the folder exists or cannot be written.
+        """
         target = path_of('folder', folder)
-        here, there = self.folder.resolve(), target.resolve()
-        if here == there:
-            return target
-        if here.is_relative_to(there) or there.is_relative_to(here):
-            raise IoError(f'{target}: the design itself lies in {self.folder}; name another folder')
-        made = _core.create_run(target, force)
-        copies: dict[tuple[int, int], str] = {}
-
-        def copy(source: str, to: str) -> str:
-            about = os.stat(source)  # meshes that designs share stay one file
-            key = (about.st_dev, about.st_ino)
-            if about.st_nlink > 1 and key in copies:
-                os.link(copies[key], to)
-                return to
-            copies[key] = to
-            return shutil.copy2(source, to)
-
-        lock = shutil.ignore_patterns('.lock')
-        try:
-            shutil.copytree(
-                self.folder, made.path, copy_function=copy, ignore=lock, dirs_exist_ok=True
-            )
-            if not made.stand():
-                raise IoError(f'{target}: the design has no result; the run that is there stays')
-        finally:
-            del made  # nobody else could write there until now
+        if target.exists():
+            raise IoError(f'{target}: exists already; name a new folder, or remove it')
+        words = ['--no-picture'] * (not picture) + ['--urdf'] * urdf + ['--ros'] * ros
+        accepted = (_command.OK, _command.NOT_ALL)  # the second: MuJoCo warns of it
+        _program.answer('export', str(self.folder), '-o', str(target), *words, accepted=accepted)
         return target
 
     def _repr_html_(self) -> str:

@@ -81,6 +81,14 @@ CODESIGN: Mapping[str, Option] = {
     'check_gradient': Option(bool, True),
 }
 """All of codesign()."""
+JUDGE: Mapping[str, Option] = {
+    'quick': Option(bool, False),
+    'cycles': Option(int, 20, 4, 10000),
+    'samples': Option(int, 200, 0, 100000),
+    'seed': Option(int, 1, 0, 2**63 - 1),
+    'threads': THREADS,
+}
+"""Of Design.validate()."""
 
 
 def checked(known: Mapping[str, Option], given: Mapping[str, Any]) -> dict[str, Any]:

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 from legwright import _core
-from legwright._arguments import path_of
+from legwright._arguments import limits_file
 from legwright._design import Design
-from legwright._errors import InputError, check_readable
+from legwright._errors import InputError
 from legwright._options import Option, checked, kind_of
 
 _CYCLES = Option(int, 20, 4, 100000)
@@ -113,10 +113,7 @@ def validate(
             'back or Design.load("runs/mine") reads it'
         )
     design._of_one_task('a validation')
-    file: str | Path = ''
-    if limits is not None:
-        file = path_of('limits', limits, absolute=False)
-        check_readable(file, 'give the path of a limits file, for instance examples/limits.toml')
+    file: str | Path = '' if limits is None else limits_file(limits)
     words = checked({'cycles': _CYCLES}, {'cycles': cycles})
     scales = _factors(gains)
     if engine == 'mujoco':

@@ -4,7 +4,6 @@
 import os
 import shutil
 import socket
-import subprocess
 import time
 import warnings
 from collections.abc import Mapping
@@ -16,12 +15,11 @@ import legwright
 from legwright._codesign import codesign
 from legwright._design import Design
 from legwright._errors import InputError, IoError, MujocoError
+from legwright._program import completed
 from legwright._robot import Robot
 from legwright._task import Task
 from legwright.study import _measures
 from legwright.study._folder import StudyFolder, robot_address, write_record
-
-PROGRAM = Path(legwright.__file__).parent / 'bin/legwright'
 
 
 @dataclass(frozen=True)
@@ -121,18 +119,6 @@ def _design(job: Job, folder: StudyFolder, made: Path) -> tuple[dict[str, Any], 
     return measures, [str(each.message) for each in doubts]
 
 
-def _run_program(*words: str) -> subprocess.CompletedProcess[str]:
-    """The program, which dies with this process."""
-    return subprocess.run(
-        [PROGRAM, *words],
-        env={**os.environ, 'LEGWRIGHT_ENDS_WITH': str(os.getpid())},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
 def _validate(options: Mapping[str, Any], run: Path) -> None:
     """`legwright validate`. Raises InputError where it refuses the run or the limits."""
     words = ['validate', str(run), '--threads', '1']
@@ -142,7 +128,7 @@ def _validate(options: Mapping[str, Any], run: Path) -> None:
     if options['limits'] is not None:
         (run / 'inputs/limits.toml').write_text(options['limits'], encoding='utf-8')
         words += ['--limits', str(run / 'inputs/limits.toml')]
-    done = _run_program(*words)
+    done = completed(*words)
     if done.returncode == 3:
         raise IoError(done.stderr.strip())
     if done.returncode not in (0, 1):
@@ -151,7 +137,7 @@ def _validate(options: Mapping[str, Any], run: Path) -> None:
 
 def _draw(design: Design) -> str | None:
     """A small picture, where OpenGL is there. @return its path in the run; None without one"""
-    done = _run_program('render', str(design.folder), '--small')
+    done = completed('render', str(design.folder), '--small')
     first = next(iter(design.tasks.values())).folder
     picture = first / 'result/small.webp'
     if done.returncode != 0 or not picture.exists():

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The whole verdict of `legwright validate`: gains, numerics, stability, disturbances."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from legwright import _program
+from legwright._command import NOT_ALL, OK
+from legwright._files import read_json
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """All that MuJoCo says of a design, as `legwright validate` writes it into the run folder."""
+
+    passed: bool
+    """Whether the gait keeps its limits; of several tasks, whether all do."""
+    line: str
+    """The verdict in words; of several tasks a line each."""
+    reasons: tuple[str, ...]
+    """Why it fails, first cause first; else empty."""
+    record: Mapping[str, Any]
+    """result/verdict.json: docs/schema/verdict.schema.json is its schema. Of several tasks the
+    table of bodies and tasks, result/matrix.json (docs/schema/matrix.schema.json)."""
+    metrics: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """result/metrics.json: what was measured (docs/schema/validation.schema.json)."""
+    numerics: Mapping[str, Any] | None = field(default=None, repr=False)
+    """result/numerics.json: the same gait with other numerics; None where quick."""
+    robustness: Mapping[str, Any] | None = field(default=None, repr=False)
+    """result/robustness.json: margins and disturbed walks; None where quick."""
+    tasks: 'Mapping[str, Judgement]' = field(default_factory=dict, repr=False)
+    """Of several tasks: that of each, by name; else empty."""
+
+    def __bool__(self) -> bool:
+        return self.passed
+
+    def __str__(self) -> str:
+        return self.line
+
+
+def _of_task(folder: Path) -> Judgement:
+    """What `validate` wrote of one task."""
+    result = folder / 'result'
+    record: dict[str, Any] = read_json(result / 'verdict.json')
+    further = {
+        name: read_json(result / f'{name}.json')
+        for name in ('metrics', 'numerics', 'robustness')
+        if (result / f'{name}.json').exists()
+    }
+    said = record['result']
+    return Judgement(record['pass'], said['line'], tuple(said['reasons']), record, **further)
+
+
+def judge(run: Path, tasks: Mapping[str, Path], options: Sequence[str]) -> Judgement:
+    """Runs `legwright validate`.
+
+    Args:
+        run: the folder of the run, which gets what it writes.
+        tasks: of a run of several tasks the folder of each; else empty.
+        options: of the verb.
+    """
+    document = _program.answer('validate', str(run), *options, accepted=(OK, NOT_ALL))
+    if not tasks:
+        return _of_task(run)
+    each = {name: _of_task(folder) for name, folder in tasks.items()}
+    return Judgement(
+        document['pass'],
+        '\n'.join(f'{name}: {judged.line}' for name, judged in each.items()),
+        tuple(f'{name}: {reason}' for name, judged in each.items() for reason in judged.reasons),
+        document,
+        tasks=each,
+    )
