@@ -86,6 +86,8 @@ std::string percent_whole(std::optional<double> ratio) {
 
 std::string change_words(double change) {
   if (std::abs(change) < 5e-4) return "as before";
+  if (1.0 + change > 999.0) return "from next to nothing";
+  if (change >= 9.0) return short_number(1.0 + change) + " times";
   const std::string size =
       std::abs(change) < 0.0995 ? percent(std::abs(change)) : percent_whole(std::abs(change));
   return fmt::format("{}{}", change < 0.0 ? "−" : "+", size);

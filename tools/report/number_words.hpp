@@ -35,7 +35,8 @@ std::string scaled(std::optional<double> value, double by, const char* unit);
 std::string percent(std::optional<double> ratio);
 /// The same without decimals.
 std::string percent_whole(std::optional<double> ratio);
-/// Of a relative change: "−31 %", "+4.2 %", "as before".
+/// Of a relative change: "−31 %", "+4.2 %", "as before"; from ten times on "102 times", from a
+/// thousand "from next to nothing".
 std::string change_words(double change);
 
 /// The unit in which people read a quantity: mm for short lengths, ms for short times, degrees.

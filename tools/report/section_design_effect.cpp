@@ -16,7 +16,6 @@ namespace legwright {
 namespace {
 
 constexpr std::size_t kMostShownParameters = 8;
-constexpr double kLargestChange = 10.0;  // relative, that is told
 
 void open_table(Html& page, const char* title) {
   page.open("div")
@@ -51,11 +50,6 @@ void add_parameters(Html& page, const RunData& data) {
   page.close();
 }
 
-/// A relative change in words; nothing of a figure that grows from next to nothing.
-std::string effect_change(const Effect& effect) {
-  return effect.change && *effect.change < kLargestChange ? change_words(*effect.change) : "";
-}
-
 /// What of the two designs makes the difference between their figures.
 std::string what_differs(const RunRecord& run) {
   if (run.body_kept()) return "; after: the same body, so the difference is the gait’s.";
@@ -77,7 +71,8 @@ void add_effect(Html& page, const RunData& data) {
   if (!kept) add_parameters(page, data);
   open_table(page, "What it does");
   for (const EffectRow& row : effect_rows(data))
-    add_effect_row(page, row.what, row.before, row.after, effect_change(row.effect));
+    add_effect_row(page, row.what, row.before, row.after,
+                   row.effect.change ? change_words(*row.effect.change) : "");
   page.close().close().close().close();
   if (!data.metrics)
     add_hint(page, "What the bodies do in MuJoCo has not been measured yet.", "validate", data);

@@ -67,14 +67,17 @@ TEST_F(DesignEffect, FiguresStandBesideEachOther) {
   EXPECT_EQ(row("in MuJoCo").before, "✓ passes");
 }
 
-TEST_F(DesignEffect, NoRelativeChangeIsToldOfWhatGrewFromNextToNothing) {
+TEST_F(DesignEffect, WhatGrewManyfoldIsToldInTimes) {
   const auto power_before = [&](double power) {
     edit("result/metrics.json", [&](Json& metrics) { set_power(metrics["initial"], power, 2.0); });
     return page();
   };
-  EXPECT_TRUE(has(power_before(0.3), "+900 %"));
-  EXPECT_FALSE(has(power_before(0.003), "+99900 %"));
-  EXPECT_NEAR(*row("mechanical power").effect.change, 999.0, 1e-9);  // known, not told
+  EXPECT_TRUE(has(power_before(0.5), "+500 %"));
+  EXPECT_TRUE(has(power_before(0.3), ">10 times<"));
+  const std::string last = power_before(0.003);
+  EXPECT_TRUE(has(last, "from next to nothing"));
+  EXPECT_FALSE(has(last, "1000 times"));
+  EXPECT_NEAR(*row("mechanical power").effect.change, 999.0, 1e-9);
 }
 
 TEST_F(DesignEffect, WordsNameWhatIsWorthTelling) {
@@ -270,6 +273,9 @@ TEST(ChangeWords, AreShort) {
   EXPECT_EQ(change_words(-0.314), "−31 %");
   EXPECT_EQ(change_words(0.042), "+4.2 %");
   EXPECT_EQ(change_words(1e-5), "as before");
+  EXPECT_EQ(change_words(8.9), "+890 %");
+  EXPECT_EQ(change_words(100.6), "102 times");
+  EXPECT_EQ(change_words(1e8), "from next to nothing");
 }
 
 }  // namespace
