@@ -39,11 +39,14 @@ def gait_of(design):
 
 
 def with_scene(design, folder, change):
-    """A copy of a design whose scene is changed."""
-    changed = lw.Design.load(design.save(folder))
-    scene = changed.folder / 'result/scene.xml'
+    """A copy of a design, as of a program that knew no sums, whose scene is changed."""
+    folder = design.save(folder)
+    record = json.loads((folder / 'run.json').read_bytes())
+    del record['scenes']
+    (folder / 'run.json').write_text(json.dumps(record))
+    scene = folder / 'result/scene.xml'
     scene.write_text(change(scene.read_text()))
-    return changed
+    return lw.Design.load(folder)
 
 
 TWO_HINGES = """<mujoco><compiler angle="radian"/><worldbody>

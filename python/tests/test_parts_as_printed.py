@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import shutil
 import subprocess
 from pathlib import Path
@@ -46,12 +48,15 @@ def made(run, tmp_path_factory) -> parts.Parts:
 
 
 def changed(run: Path, place: Path, old: str, new: str) -> Path:
-    """A copy of the run with another text in its result's scene."""
+    """A copy of the run, as of a program that knew no sums, with another text in its scene."""
     shutil.copytree(run, place)
     scene = place / 'result/scene.xml'
     text = scene.read_text(encoding='utf-8')
     assert old in text
     scene.write_text(text.replace(old, new), encoding='utf-8')
+    record = json.loads((place / 'run.json').read_bytes())
+    del record['scenes']
+    (place / 'run.json').write_text(json.dumps(record), encoding='utf-8')
     return place
 
 
@@ -77,7 +82,7 @@ def test_the_result_weighs_and_turns_as_the_solids(made):
 
 
 def test_nothing_else_of_the_run_changes(run, made):
-    kept = 'run.json', 'result/motion.csv', 'iterations/0000/scene.xml', 'inputs/task.toml'
+    kept = 'result/motion.csv', 'iterations/0000/scene.xml', 'inputs/task.toml'
     for name in kept:
         assert (made.folder / 'as_printed' / name).read_bytes() == (run / name).read_bytes()
     for name in ('result/robot.xml', 'result/scene.xml'):
@@ -86,6 +91,15 @@ def test_nothing_else_of_the_run_changes(run, made):
         differing = [a for a, b in zip(old, new, strict=True) if a != b]
         assert len(differing) == 16
         assert all('<inertial' in line for line in differing)
+    old, new = ((place / 'run.json').read_bytes() for place in (run, made.folder / 'as_printed'))
+    scenes = json.loads(new)['scenes']
+    scene = (made.folder / 'as_printed/result/scene.xml').read_bytes()
+    assert scenes['result/scene.xml'] == hashlib.sha256(scene).hexdigest()
+    was = json.loads(old)['scenes']['result/scene.xml']
+    key = '"result/scene.xml": "%s"'
+    assert new == old.replace(
+        (key % was).encode(), (key % scenes['result/scene.xml']).encode()
+    ), 'the rest of run.json'
 
 
 def of_walks(checks: Sequence[parts.Check]) -> parts.Check:

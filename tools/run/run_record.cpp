@@ -228,6 +228,8 @@ void visit_effort(Fields& f, RunRecord& run) {
   f("physics_steps", run.physics_steps, "what optimize --physics-steps did to the gait");
   f("front", run.front, "trade-off between two tasks, as in result/front.json");
   f("failure", run.failure, "why the status is \"failed\"");
+  f("scenes", run.scenes,
+    "SHA-256 of the scenes that the run wrote, by their paths in it; absent in older runs");
 }
 
 }  // namespace

@@ -202,7 +202,8 @@ struct RunRecord {
   ByName<std::string> versions;
   std::string factorisation;
   ByName<std::string> files, sha256;
-  std::optional<std::string> joint_run;  // of a task of one: the way to it
+  std::optional<ByName<std::string>> scenes;  // sums of those that the run wrote, by their way
+  std::optional<std::string> joint_run;       // of a task of one: the way to it
   bool motion_only = false;
   std::optional<std::string> start;  // of a task of a joint run: from which its best one set out
   std::optional<std::vector<EngineWarningRecord>> engine_warnings;

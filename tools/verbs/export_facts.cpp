@@ -19,6 +19,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/whole_run.hpp"
@@ -128,6 +129,7 @@ ExportedRun read_exported_run(const fs::path& root) {
                   ": no such file; the run has no result yet, finish `legwright " + "optimize`");
   out.before = read_robot(input);
   check_inputs(root, out.run, out.before.files);
+  check_result_scenes(root, out.run);
   // What was a leg is one: a design may be read otherwise where it is borderline.
   const RobotFiles files = RobotFiles::read(result);
   check_assets(out.run, files);

@@ -9,6 +9,7 @@
 #include "tools/run/install.hpp"
 #include "tools/run/run_lock.hpp"
 #include "tools/run/run_reach.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/validate/limits_file.hpp"
 #include "tools/validate/records.hpp"
 #include "tools/verbs/task_of_run.hpp"
@@ -77,6 +78,7 @@ EngineRecord judge_in_engine(const ResultFolder& folder, const Engine& engine,
   }
   JudgedSums of = sums_of_result(folder.root());
   const TaskOfRun task = task_of_run(folder);
+  check_scene(folder.root(), read_record_file<RunRecord>(folder.run_json()), "result");
   const Limits limits = limits_of(options, task);
   SceneValidation played;
   try {

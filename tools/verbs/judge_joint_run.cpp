@@ -3,6 +3,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/checksum.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/verbs/judge_run.hpp"
 
@@ -27,6 +28,21 @@ std::vector<AloneBody> bodies_alone(const ResultFolder& folder, const RunRecord&
           fs::is_directory(folder.root() / "starts" / ("from-" + task.name)))
         bodies.push_back({task.name, &start});
   return bodies;
+}
+
+/// Where the joint run from such a body began, with the motion of a task.
+fs::path design_alone(const AloneBody& body, const std::string& task) {
+  return fs::path("starts") / ("from-" + body.task) / task / "iterations" / "0000";
+}
+
+/// Before anything is played: scenes that were edited must not cost the roll-outs of the others.
+void check_all_scenes(const fs::path& root, const RunRecord& run,
+                      const std::vector<AloneBody>& bodies) {
+  check_result_scenes(root, run);
+  for (const TaskFolder& task : task_folders(run)) {
+    check_scene(root, run, task.relative / "iterations" / "0000");
+    for (const AloneBody& body : bodies) check_scene(root, run, design_alone(body, task.name));
+  }
 }
 
 /// The initial body, those of the tasks alone, then the common one: as the matrix has them, each
@@ -85,6 +101,7 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
                      "optimize` again");
   const std::vector<AloneBody> bodies = bodies_alone(folder, run);
   const std::vector<TaskFolder> tasks = task_folders(run);  // checked: nothing outside the run
+  check_all_scenes(folder.root(), run, bodies);
   MatrixRecord matrix;
   matrix.of = sums_of_joint_run(folder.root(), run);
   matrix.of->of(kLimitsSum) = limits_sum(options.validation.limits);
@@ -97,8 +114,7 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
     std::vector<fs::path> others;
     others.reserve(bodies.size());
     for (const AloneBody& body : bodies)
-      others.push_back(folder.root() / "starts" / ("from-" + body.task) / tasks[t].name /
-                       "iterations" / "0000");
+      others.push_back(folder.root() / design_alone(body, tasks[t].name));
     const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
     judged.push_back(play_and_judge(own, others, options));
     const auto order = in_order(judged.back());

@@ -9,6 +9,7 @@
 #include "tools/files/licence.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/run_json.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/simulate/rollout.hpp"
 #include "tools/verbs/explain_changes.hpp"
 #include "tools/verbs/joint_folders.hpp"
@@ -160,6 +161,7 @@ class OptimizeRun {
 
   void finish() {
     folder_.check_there();
+    note_scenes(folder_, run_);
     recorder_.end(run_);
     write_json(folder_.run_json(), json_of(run_));  // complete, should the pictures be interrupted
     if (!options_.no_pictures && !stop_()) {

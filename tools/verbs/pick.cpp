@@ -18,6 +18,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/robot_folder.hpp"
 #include "tools/run/run_json.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/verbs/feasibility.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
@@ -218,6 +219,7 @@ void pick_joint(const ResultFolder& folder, const PickedDesign& picked, const Ro
     const IterationMetrics metrics = replace_result(picked.folders[k], own / "result", robot.files);
     auto task_run = read_record_file<RunRecord>(own / "run.json");
     note_task_design(task_run, robot, picked.name, metrics);
+    note_result_scene(own, task_run);
     write_json(own / "run.json", json_of(task_run));
     task.F = metrics.F;
     task.speed_reached = metrics.speed_reached;
@@ -270,6 +272,8 @@ int pick(const PickOptions& options) {
   for (const fs::path& from : picked.folders)
     if (!fs::is_regular_file(from / "scene.xml"))
       refuse_pick(from, "no such design in the run; events.jsonl lists its iterations");
+  for (const fs::path& from : picked.folders)
+    check_scene(folder.root(), run, from.lexically_relative(folder.root()));
   const RobotModel robot = read_robot(folder.inputs() / "robot.xml");
 
   const WholeChange whole;  // a signal waits for its end
@@ -279,6 +283,7 @@ int pick(const PickOptions& options) {
   if (!run.joint()) {
     note_task_design(run, robot, picked.name,
                      replace_result(picked.folders[0], folder.result(), robot.files));
+    note_result_scene(folder.root(), run);
   } else {
     pick_joint(folder, picked, robot, run);
   }

@@ -9,6 +9,7 @@
 #include "tools/render/gl_context.hpp"
 #include "tools/render/run_pictures.hpp"
 #include "tools/run/result_folder.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/number_options.hpp"
@@ -49,8 +50,10 @@ int render(const RenderOptions& options) {
   const ResultFolder locked = ResultFolder::open_to_write(options.run);
   options.check_run(options.run);
   RunPictures pictures;
+  const std::vector<std::filesystem::path> runs = runs_to_draw(options.run);
+  for (const std::filesystem::path& run : runs) check_scenes(run);
   try {
-    for (const std::filesystem::path& run : runs_to_draw(options.run)) {
+    for (const std::filesystem::path& run : runs) {
       RunPictures drawn = draw_run(run, how);
       pictures.made.insert(pictures.made.end(), drawn.made.begin(), drawn.made.end());
       pictures.left_out.insert(pictures.left_out.end(), drawn.left_out.begin(),

@@ -7,6 +7,7 @@
 #include "optimizer/solve/lbfgs.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_json.hpp"
+#include "tools/run/scene_sums.hpp"
 #include "tools/session/design_motions.hpp"
 #include "tools/task/task_text.hpp"
 #include "tools/verbs/optimize_results.hpp"
@@ -91,6 +92,7 @@ void save_session(const SessionRecord& session, const std::filesystem::path& roo
   const Candidate chosen{kOptimum, only.result.best, {}, {}};
   write_end(folder, problem, found, chosen, false, maker.status, recorder, run,
             [](const std::string&) {});
+  note_scenes(folder, run);
   recorder.end(run);
   write_json(folder.run_json(), json_of(run));
   folder.stand();

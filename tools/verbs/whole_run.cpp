@@ -11,6 +11,7 @@
 #include "mjcf/write/verify.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/checksum.hpp"
+#include "tools/run/scene_sums.hpp"
 
 namespace legwright {
 namespace {
@@ -56,6 +57,8 @@ void check_design(const RobotModel& before, const RobotModel& after, const fs::p
 }
 
 void check_belongs_together(const fs::path& root, const RunRecord& run) {
+  check_scene(root, run, "iterations/0000");
+  check_scene(root, run, "result");
   const fs::path input = root / "inputs" / "robot.xml", result = root / "result" / "robot.xml";
   if (!fs::is_regular_file(input)) return;
   const RobotFiles given = RobotFiles::read(input);

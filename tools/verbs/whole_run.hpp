@@ -19,8 +19,9 @@ void check_assets(const RunRecord& run, const RobotFiles& files);
 void check_design(const RobotModel& before, const RobotModel& after,
                   const std::filesystem::path& result);
 
-/// All of these for a run of one task, of what is there: runs of older programs lack files. Robots
-/// that are no longer read are not compared.
+/// All of these for a run of one task, of what is there, and whether the scenes that are played
+/// were edited: runs of older programs lack files and sums. Robots that are no longer read are not
+/// compared.
 void check_belongs_together(const std::filesystem::path& root, const RunRecord& run);
 
 }  // namespace legwright

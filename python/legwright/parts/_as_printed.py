@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """A run with the masses of its printed parts in the place of the hulls', and how it walks so."""
 
+import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -91,6 +92,16 @@ def _with_inertials(text: str, inertials: Sequence[_Inertial], file: Path) -> st
     return text
 
 
+def _with_sums(record: bytes, place: str, files: Mapping[str, bytes]) -> bytes:
+    """A run.json whose sums of scenes are those of the files below its place; all else stays."""
+    for name, old in (json.loads(record).get('scenes') or {}).items():
+        scene = files.get(place + name)
+        if scene is not None:
+            sums = (old, hashlib.sha256(scene).hexdigest())
+            record = record.replace(*(f'{json.dumps(name)}: "{each}"'.encode() for each in sums))
+    return record
+
+
 def as_printed(
     robot: BuiltRobot, parts: Sequence[Part], run: Path, folder: Path
 ) -> dict[str, bytes]:
@@ -126,6 +137,8 @@ def as_printed(
         if name in weighed:
             data = _with_inertials(data.decode(), inertials, file).encode()
         files[f'{FOLDER}/{name.as_posix()}'] = data
+    for name in [each for each in files if each.endswith('run.json')]:
+        files[name] = _with_sums(files[name], name.removesuffix('run.json'), files)
     return files
 
 

@@ -83,6 +83,18 @@ TEST_F(Joint, RunIsCompleteAndItsTasksAreRunsOfTheirOwn) {
   EXPECT_EQ(seen["event_start"], 3);
   EXPECT_GE(seen["event_joint_iteration"], 5);
   EXPECT_GE(seen["iteration"], 10);
+
+  for (const char* played :
+       {"starts/from-pace/sideways/iterations/0000/scene.xml", "tasks/sideways/result/scene.xml"}) {
+    const fs::path scene = folder_.path() / "run" / played;
+    const std::string whole = read_file(scene);
+    write_file(scene, whole + "<!-- mine -->\n");
+    const Outcome refused = call({"validate", "run", "--quick"});
+    EXPECT_EQ(refused.code, 2) << refused.out;
+    EXPECT_TRUE(contains(refused.err, std::string("run/") + played + ": was edited since"))
+        << refused.err;
+    write_file(scene, whole);
+  }
 }
 
 TEST_F(Joint, InterruptedAfterATaskAloneItCanStillBeValidated) {

@@ -127,6 +127,10 @@ TEST_F(JudgeRun, ASecondEngineDoesNotWriteIntoOneEither) {
   EXPECT_EQ(standing_of(read_record_file<EngineRecord>(file).of, sums_of_result(run_)),
             Standing::of_this);
   fs::remove(file);
+  const std::string scene = read_file(run_ / "result/scene.xml");
+  write_file(run_ / "result/scene.xml", scene + "\n");
+  EXPECT_THROW(judge_in_engine(folder, gives_up, options), InputError) << "an edited scene";
+  write_file(run_ / "result/scene.xml", scene);
   replaces = true;
   EXPECT_THROW(judge_in_engine(folder, gives_up, options), IoError);
   EXPECT_FALSE(fs::exists(file));
@@ -167,6 +171,10 @@ TEST_F(JudgeRun, FilesThatDoNotBelongTogetherAreNotJudged) {
             std::string::npos);
   EXPECT_NE(changed("result/robot.xml", "mass=\"1\"", "mass=\"3\"").find("is not the robot of"),
             std::string::npos);
+  for (const char* scene : {"iterations/0000/scene.xml", "result/scene.xml"})
+    EXPECT_NE(changed(scene, "friction=\"0.8 ", "friction=\"0.4 ").find("was edited since"),
+              std::string::npos)
+        << scene;
   const fs::path motion = run_ / "result/motion.csv";
   const std::string good = read_file(motion);
   std::string other = good;

@@ -13,6 +13,7 @@
 #include "tests/mjcf/robots/split_robot.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/simulate/mujoco_host.hpp"
 #include "tools/verbs/save_session.hpp"
@@ -140,7 +141,9 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   EXPECT_EQ(run["status"], "designed in a session");
   EXPECT_EQ(run["parameters"][0]["final"].get<double>(), record.state->s()[0]);
   EXPECT_NEAR(run["final_F"].get<double>(), record.state->value(), 1e-6 * record.state->value());
-  EXPECT_TRUE(fs::is_regular_file(root.path() / "run/tasks/pace/result/scene.xml"));
+  const fs::path pace = root.path() / "run/tasks/pace";
+  EXPECT_EQ(read_json(pace / "run.json")["scenes"]["result/scene.xml"],
+            sha256_hex(read_file(pace / "result/scene.xml")));
   // Its inputs have the weights that it was left with, and lead there.
   const TaskSet tasks = read_task_set(folder.inputs() / "task.toml");
   EXPECT_EQ(tasks.tasks[1].weight, 0.75);

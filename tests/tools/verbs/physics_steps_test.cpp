@@ -7,6 +7,7 @@
 
 #include "tests/tools/verbs/program.hpp"
 #include "tests/tools/verbs/run_schemas.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright {
@@ -52,6 +53,7 @@ TEST(PhysicsStepsOfOptimize, CloseTheGapBetweenPlanAndPhysics) {
   EXPECT_EQ(file("plain", "robot.xml"), file("closed", "robot.xml"));
   EXPECT_NE(file("plain", "scene.xml"), file("closed", "scene.xml"));
   const Json run = Json::parse(read_file(folder.path() / "closed" / "run.json"));
+  EXPECT_EQ(run["scenes"]["result/scene.xml"], sha256_hex(file("closed", "scene.xml")));
   const Json& found = run["physics_steps"];
   EXPECT_TRUE(found["changed"].get<bool>());
   EXPECT_LT(found["after"]["merit"].get<double>(), found["before"]["merit"].get<double>());

@@ -96,6 +96,38 @@ TEST_F(Pick, IsDoneAgainWhereItWasKilledOnTheWay) {
   EXPECT_EQ(call({"report", "run"}).code, 0);
 }
 
+TEST_F(Pick, PutsARunsOwnDesignInThePlaceOfAnEditedOne) {
+  optimize({"--plan-only", "--max-iterations", "1"});
+  const auto edit = [&](const std::string& name) {
+    const std::string scene = file(name);
+    const std::size_t at = scene.find("friction=\"0.8 ");
+    ASSERT_NE(at, std::string::npos);
+    write_file(folder_.path() / "run" / name,
+               std::string(scene).replace(at, 14, "friction=\"0.4 "));
+  };
+  edit("result/scene.xml");
+  const std::string before = file("run.json");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"validate", "run", "--quick"}, {"export", "run", "-o", "mine"}, {"render", "run"}}) {
+    const test::Outcome refused = call(words);
+    EXPECT_EQ(refused.code, 2) << words[0] << refused.err;
+    EXPECT_TRUE(test::contains(refused.err, "run/result/scene.xml: was edited since the run"))
+        << refused.err;
+  }
+  for (const char* written : {"mine", "run/result/verdict.json", "run/iterations/0000/frame.png"})
+    EXPECT_FALSE(fs::exists(folder_.path() / written)) << written;
+  EXPECT_EQ(file("run.json"), before);
+  ASSERT_EQ(call({"pick", "run", "--iteration", "0"}).code, 0);
+  EXPECT_LE(call({"validate", "run", "--quick"}).code, 1);
+  const std::string picked = file("run.json");
+  edit("iterations/0000/scene.xml");
+  const test::Outcome refused = call({"pick", "run", "--iteration", "0"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(test::contains(refused.err, "run/iterations/0000/scene.xml: was edited"))
+      << refused.err;
+  EXPECT_EQ(file("run.json"), picked);
+}
+
 TEST_F(Pick, RefusesWhatThereIsNotAndChangesNothing) {
   optimize({"--plan-only", "--max-iterations", "1"});
   const std::string before = file("run.json");
