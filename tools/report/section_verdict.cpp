@@ -73,6 +73,8 @@ void add_plan_notes(Html& page, const RunData& data) {
         "note wide");
   if (data.verdict && data.verdict->home_touches)
     page.note("Warning: " + data.verdict->home_touches->line + ".", "note wide");
+  if (data.verdict && data.verdict->not_judged)
+    page.note("Warning: " + data.verdict->not_judged->line + ".", "note wide");
   if (data.verdict && data.verdict->never_touch)
     page.note(data.verdict->never_touch->line + ".", "note wide");
   if (data.verdict && data.verdict->overridden)

@@ -66,6 +66,11 @@ void fields(Fields& f, OverriddenRecord& overridden) {
   f("options", overridden.options);
 }
 
+void fields(Fields& f, NotJudgedRecord& not_judged) {
+  f("line", not_judged.line);
+  f("limits", not_judged.limits, "as the limits file names them");
+}
+
 void fields(Fields& f, VerdictRecord& verdict) {
   f("initial", verdict.initial);
   f("result", verdict.result);
@@ -76,6 +81,9 @@ void fields(Fields& f, VerdictRecord& verdict) {
     "links of the designed body that may pass through others, as none of their shapes collide");
   f("overridden", verdict.overridden,
     "what scenes set otherwise than the robot's file does, of steps, solvers and flags");
+  f("not_judged", verdict.not_judged,
+    "limits of the file that judge nothing of this task, as those on turning where it goes "
+    "straight");
   f("run_status", verdict.run_status,
     "only of a search that did not come to its end: \"interrupted\", \"running\", \"failed\"");
   of_field(f, verdict.of);

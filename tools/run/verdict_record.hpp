@@ -62,6 +62,12 @@ struct OverriddenRecord {
   std::vector<Option> options;
 };
 
+/// Limits of the file by which nothing was judged: of a straight way those on turning, say.
+struct NotJudgedRecord {
+  std::string line;
+  std::vector<std::string> limits;
+};
+
 /// result/verdict.json.
 struct VerdictRecord {
   static constexpr RecordKind kKind{"legwright/verdict", 1, "validate"};
@@ -70,6 +76,7 @@ struct VerdictRecord {
   std::optional<HomeTouchesRecord> home_touches;
   std::optional<NeverTouchRecord> never_touch = {};  // absent where all links may touch
   std::optional<OverriddenRecord> overridden = {};   // absent where the file sets nothing otherwise
+  std::optional<NotJudgedRecord> not_judged = {};    // absent where each limit of the file judges
   std::optional<std::string> run_status = {};        // of a search that did not come to its end
   std::optional<JudgedSums> of = {};                 // what was judged; absent in older files
   std::optional<JudgedSums> with = {};  // SHA-256 of the other files of the judgement, by name
@@ -79,6 +86,7 @@ void fields(Fields& f, WorstPart& part);
 void fields(Fields& f, DesignVerdict& verdict);
 void fields(Fields& f, NeverTouchRecord& never_touch);
 void fields(Fields& f, OverriddenRecord& overridden);
+void fields(Fields& f, NotJudgedRecord& not_judged);
 void fields(Fields& f, VerdictRecord& verdict);
 
 }  // namespace legwright

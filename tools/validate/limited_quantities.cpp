@@ -9,6 +9,8 @@
 namespace legwright {
 namespace {
 
+constexpr double kBackwards = -1e9;  // the least of what may go the other way than planned
+
 bool travels(const WantedMotion& wanted) { return wanted.travels(); }
 bool turns(const WantedMotion& wanted) { return wanted.turns(); }
 bool circles(const WantedMotion& wanted) { return wanted.travels() && wanted.turns(); }
@@ -57,6 +59,7 @@ std::vector<LimitedQuantity> judged_by_default() {
        .note = "of the time",
        .told = Told::percent,
        .below = true,
+       .most = 1.0,
        .by_default = {{}, 1e-3},
        .value = [](const Measurements& run) { return run.saturated_share; },
        .worst = saturated_joints},
@@ -66,6 +69,7 @@ std::vector<LimitedQuantity> judged_by_default() {
        .verb = "touches itself",
        .note = "of the time",
        .told = Told::percent,
+       .most = 1.0,
        .by_default = {{}, 0.01},
        .value = [](const Measurements& run) { return run.self_contact.share; },
        .worst = touching_bodies},
@@ -83,6 +87,7 @@ std::vector<LimitedQuantity> judged_by_default() {
        .verb = "reaches",
        .note = "of the planned speed",
        .told = Told::percent,
+       .least = kBackwards,
        .by_default = {0.95, 1.05},
        .asked = travels,
        .value = [](const Measurements& run) { return run.speed_ratio; }},
@@ -103,6 +108,7 @@ std::vector<LimitedQuantity> judged_by_default() {
        .verb = "turns at",
        .note = "of the planned turn rate",
        .told = Told::percent,
+       .least = kBackwards,
        .by_default = {0.95, 1.05},
        .asked = turns,
        .value = [](const Measurements& run) { return run.turn_ratio; }},
@@ -112,6 +118,7 @@ std::vector<LimitedQuantity> judged_by_default() {
        .verb = "circles at",
        .note = "of the planned radius",
        .told = Told::percent,
+       .least = kBackwards,
        .by_default = {0.95, 1.05},
        .asked = circles,
        .value = radius_ratio},
@@ -151,6 +158,7 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .verb = "reaches in one cycle only",
        .note = "of the planned speed",
        .told = Told::percent,
+       .least = kBackwards,
        .asked = travels,
        .value = [](const Measurements& run) { return run.speed_ratio_min; }},
       {.name = "heading_drift",
@@ -213,6 +221,7 @@ std::vector<LimitedQuantity> judged_if_asked() {
        .unit = "m",
        .verb = "steps over no more than",
        .note = "",
+       .least = kBackwards,
        .value = least_clearance,
        .worst = least_lifted_foot},
       {.name = "missed_stances",

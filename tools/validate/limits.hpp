@@ -15,7 +15,8 @@ namespace legwright {
 /// What passes, both ends included; an absent one lets everything pass.
 struct Bounds {
   std::optional<double> low, high;
-  bool by_file = false;  // a limits file asks for it; else it holds by default
+  bool by_file = false;             // a limits file asks for it; else it holds by default
+  int low_line = 0, high_line = 0;  // of that file, where it gives them
 
   bool any() const { return low || high; }
 };
@@ -32,7 +33,9 @@ struct LimitedQuantity {
   std::string verb;  // "reaches", before the value in a reason
   std::string note;  // after it, before what would pass; may be empty
   Told told = Told::plain;
-  bool below = false;      // the upper bound itself does not pass
+  bool below = false;  // the upper bound itself does not pass
+  double least = 0.0;  // that it can be; what is counted or has no sign is not below nothing
+  double most = 1e9;
   Bounds by_default = {};  // none: judged only where the limits file asks for it
   /// Whether the task asks for it.
   std::function<bool(const WantedMotion&)> asked = [](const WantedMotion&) { return true; };

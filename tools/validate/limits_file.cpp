@@ -24,23 +24,43 @@ struct Askable {
   std::string unit;
   double low = -1e9, high = 1e9;
   bool below = false;  // the upper bound itself does not pass
+  std::optional<double> nominal =
+      {};  // of a margin: what is played without it, where that is known
 };
 
 std::vector<Askable> askable_quantities() {
   std::vector<Askable> out;
   for (const auto& quantity : limited_quantities())
-    out.push_back({.name = quantity.name, .unit = quantity.unit, .below = quantity.below});
+    out.push_back(
+        {quantity.name, quantity.unit, quantity.least, quantity.most, quantity.below, {}});
   out.push_back({.name = "numerics", .unit = "1", .low = 0.0});
   out.push_back({.name = "survival", .unit = "1", .low = 0.0, .high = 1.0});
   return out;
 }
 
-// What cannot be played has no margin: a floor of no friction at all, masses below nothing.
+constexpr const char* kFriction = "floor_friction";
+
+// What cannot be played has no margin: a floor of no friction at all, masses below nothing. The
+// friction that is planned for is the task's.
 std::vector<Askable> askable_margins() {
   std::vector<Askable> out;
-  for (const auto& factor : disturbance_factors({}))
+  for (const auto& factor : disturbance_factors({})) {
     out.push_back({factor.name, factor.unit, factor.valid.first, factor.valid.second});
+    if (factor.name != kFriction) out.back().nominal = Disturbance{}.*factor.value;
+  }
   return out;
+}
+
+/// Why a margin is on the wrong side of what is played without it: empty where it is not.
+std::string wrong_side(const Bounds& bounds, bool low, double nominal, const std::string& unit) {
+  const std::optional<double>& asked = low ? bounds.low : bounds.high;
+  if (!asked || (low ? *asked <= nominal : *asked >= nominal)) return "";
+  return fmt::format(
+      "is {}, {} what is planned ({}{}): {} is a value {} to which the robot must walk; give one "
+      "{} {}, or call it {}",
+      *asked, low ? "above" : "below", nominal, unit.empty() || unit == "1" ? "" : " " + unit,
+      low ? "low" : "high", low ? "down" : "up", low ? "of at most" : "from", nominal,
+      low ? "high" : "low");
 }
 
 class Reader {
@@ -73,8 +93,24 @@ class Reader {
     in.finish();
     Bounds& own = limits_[full];
     own.by_file = true;
-    if (read.low) own.low = read.low;
-    if (read.high) own.high = read.high;
+    if (read.low) {
+      own.low = read.low;
+      own.low_line = in.line_of("low");
+    }
+    if (read.high) {
+      own.high = read.high;
+      own.high_line = in.line_of("high");
+    }
+    if (one.below && read.high && *read.high <= one.low)
+      problems_.add(own.high_line, full + ".high",
+                    fmt::format("nothing would pass: it must stay below {}; expected more than {}",
+                                *read.high, one.low));
+    if (one.nominal) {
+      for (const bool low : {true, false})
+        if (const std::string why = wrong_side(read, low, *one.nominal, one.unit); !why.empty())
+          problems_.add(low ? own.low_line : own.high_line, full + (low ? ".low" : ".high"), why);
+      return;
+    }
     if (!own.low || !own.high || *own.low < *own.high) return;
     if (*own.low == *own.high && !one.below) return;
     // Whichever end the file does not give holds by default.
@@ -106,6 +142,17 @@ Limits parse_limits(const std::string& text, const std::filesystem::path& file) 
   reader.finish();
   problems.throw_if_any();
   return limits;
+}
+
+void check_friction_margin(const Limits& limits, const std::filesystem::path& file,
+                           double planned) {
+  const std::string name = std::string(kMarginPrefix) + kFriction;
+  const auto found = limits.find(name);
+  if (found == limits.end()) return;
+  for (const bool low : {true, false})
+    if (const std::string why = wrong_side(found->second, low, planned, "1"); !why.empty())
+      throw InputError(file.string(), low ? found->second.low_line : found->second.high_line,
+                       name + (low ? ".low" : ".high"), why);
 }
 
 Limits read_limits(const std::filesystem::path& file) {

@@ -15,6 +15,10 @@ Limits parse_limits(const std::string& text, const std::filesystem::path& file);
 /// Throws InputError where it cannot be read, too.
 Limits read_limits(const std::filesystem::path& file);
 
+/// Throws InputError, with line and key, where the file asks for a margin of the floor's friction
+/// on the wrong side of what the task plans: other margins are known to be so without one.
+void check_friction_margin(const Limits& limits, const std::filesystem::path& file, double planned);
+
 /// Whether a limits file asks for other numerics; by default they are judged only where they are
 /// played.
 bool ask_for_numerics(const Limits& limits);

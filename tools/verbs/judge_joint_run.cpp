@@ -79,8 +79,7 @@ bool came_to_its_end(const RunRecord& run) {
 
 /// The files of each task, then the matrix, which names their verdicts.
 void write_all(const ResultFolder& folder, const std::vector<TaskFolder>& tasks,
-               std::vector<JudgedRun>& judged, const RunRecord& run, MatrixRecord& matrix) {
-  check_unchanged(folder.root(), *matrix.of, sums_of_joint_run(folder.root(), run));
+               std::vector<JudgedRun>& judged, MatrixRecord& matrix) {
   matrix.with.emplace();
   for (std::size_t t = 0; t < tasks.size(); ++t) {
     const ResultFolder own = ResultFolder::open(folder.root() / tasks[t].relative);
@@ -126,7 +125,8 @@ MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
     }
     matrix.pass = matrix.pass && judged.back().designs[1].verdict.pass;
   }
-  write_all(folder, tasks, judged, run, matrix);
+  check_unchanged(folder.root(), *matrix.of, sums_of_joint_run(folder.root(), run));
+  if (options.write) write_all(folder, tasks, judged, matrix);
   return matrix;
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/listed.hpp"
@@ -94,12 +96,28 @@ std::string never_touch_words(const SceneValidation& played) {
       played.never_touch.size(), played.links, listed(played.never_touch));
 }
 
-VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task) {
+/// Limits of the file without a row in a verdict.
+std::optional<NotJudgedRecord> not_judged_by(const Limits& limits, const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const auto& [name, bounds] : limits) {
+    const auto is_of = [&, of = name](const JudgedLimit& row) {
+      return row.name == of || row.name.starts_with(of + ".");
+    };
+    if (bounds.by_file && std::none_of(verdict.limits.begin(), verdict.limits.end(), is_of))
+      names.push_back(name);
+  }
+  if (names.empty()) return std::nullopt;
+  return NotJudgedRecord{"limits that judge nothing of this task: " + listed(names, names.size()),
+                         names};
+}
+
+VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task, const Limits& limits) {
   const Verdict& result = judged.designs[1].verdict;
   VerdictRecord out{.initial = verdict_record(judged.designs[0].verdict),
                     .result = verdict_record(result),
                     .pass = result.pass,
                     .home_touches = {},
+                    .not_judged = not_judged_by(limits, result),
                     .run_status = task.early_stop};
   if (const SceneValidation& played = judged.designs[1]; !played.never_touch.empty())
     out.never_touch = {never_touch_words(played), played.never_touch};
@@ -221,7 +239,7 @@ JudgedRun play_and_judge(const ResultFolder& folder, const std::vector<fs::path>
   }
   judged.of.of(kLimitsSum) = limits_sum(options.validation.limits);
   judged.metrics.of = judged.of;
-  judged.verdict = verdict_record(judged, task);
+  judged.verdict = verdict_record(judged, task, options.validation.limits);
   judged.verdict.of = judged.of;
   return judged;
 }
@@ -243,7 +261,10 @@ void write_judged(const ResultFolder& folder, JudgedRun& judged) {
 
 JudgedRun judge_run(const ResultFolder& folder, const JudgeOptions& options) {
   JudgedRun judged = play_and_judge(folder, {}, options);
-  write_judged(folder, judged);
+  if (options.write)
+    write_judged(folder, judged);
+  else
+    check_unchanged(folder.root(), judged.of, sums_of_run(folder.root()));
   return judged;
 }
 

@@ -37,6 +37,7 @@ struct JudgeOptions {
   bool robustness = true;        // play under disturbances
   bool stability = true;         // Floquet multipliers of the result
   RobustnessOptions disturbed = {};
+  bool write = true;  // what is judged into the run
 };
 
 /// "the search was interrupted: …": what a verdict of a run must say that did not come to its end;
@@ -57,12 +58,12 @@ JudgedRun play_and_judge(const ResultFolder& folder,
 /// nothing, where the run is no longer the one that was judged.
 void write_judged(const ResultFolder& folder, JudgedRun& judged);
 
-/// Both.
+/// Both; where nothing is to be written only looks at whether the run is still the one.
 JudgedRun judge_run(const ResultFolder& folder, const JudgeOptions& options);
 
 /// Judges every task of a joint run, and for the trade-off every design of it at every task: the
 /// initial body, the best body of each task alone, the joint result. Writes what write_judged()
-/// does, of all tasks once all are judged, then result/matrix.json, which it returns.
+/// does, of all tasks once all are judged, then result/matrix.json, which it returns; or nothing.
 /// @param run run.json of the folder @param judged gets one entry per task
 MatrixRecord judge_joint_run(const ResultFolder& folder, const RunRecord& run,
                              const JudgeOptions& options, std::vector<JudgedRun>& judged);

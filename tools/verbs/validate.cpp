@@ -3,12 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "mjcf/text/input_error.hpp"
-#include "mjcf/text/listed.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/run/joined_by_and.hpp"
@@ -83,21 +84,6 @@ void print_servos(const TaskRecord& task, const std::string& indent) {
         indent, *task.servo_kp);
 }
 
-/// Limits of the file by which nothing was judged: of a straight way those on turning, say.
-void print_not_judged(const JudgedRun& judged, const Limits& limits, const std::string& indent) {
-  const std::vector<JudgedLimit>& rows = judged.designs[1].verdict.limits;
-  std::vector<std::string> names;
-  for (const auto& [name, bounds] : limits) {
-    const auto is_of = [&, of = name](const JudgedLimit& row) {
-      return row.name == of || row.name.starts_with(of + ".");
-    };
-    if (bounds.by_file && std::none_of(rows.begin(), rows.end(), is_of)) names.push_back(name);
-  }
-  if (!names.empty())
-    fmt::print("{}warning: limits that judge nothing of this task: {}\n", indent,
-               listed(names, names.size()));
-}
-
 void print_judged(const JudgedRun& judged, bool same, const std::string& indent) {
   fmt::print("{0}initial design:     {1}\n{0}{2}  {3}\n", indent, judged.designs[0].verdict.line,
              same ? "the same, as result:" : "co-designed robot:", judged.designs[1].verdict.line);
@@ -114,6 +100,8 @@ void print_judged(const JudgedRun& judged, bool same, const std::string& indent)
     fmt::print("{}{}\n", indent, describe_overridden(judged.overridden));
   if (const auto& comparison = judged.designs[1].comparison)
     fmt::print("{}{}\n", indent, describe(*comparison));
+  if (judged.verdict.not_judged)
+    fmt::print("{}warning: {}\n", indent, judged.verdict.not_judged->line);
   if (judged.verdict.run_status)
     fmt::print("{}warning: {}\n", indent, early_stop_words(*judged.verdict.run_status));
   if (judged.numerics) fmt::print("{}{}\n", indent, describe(*judged.numerics));
@@ -162,7 +150,6 @@ int validate_joint(const ResultFolder& folder, const RunRecord& run, JunitFile& 
       fmt::print("{}\n", (*run.tasks)[k].name);
       print_servos((*run.tasks)[k], "  ");
       print_judged(judged[k], run.motion_only, "  ");
-      print_not_judged(judged[k], options.judge.validation.limits, "  ");
     }
     fmt::print("{}{}", matrix_table(matrix), common_body_words(matrix, judged, run));
   }
@@ -200,14 +187,44 @@ int validate_elsewhere(const ValidateOptions& options) {
   return run_python_module(drake_part(), words);
 }
 
+/// Why a run cannot be written into; empty where it can.
+std::string unwritable(const ResultFolder& folder) {
+  for (const fs::path& path : {folder.root(), folder.result()})
+    if (::access(path.c_str(), W_OK) != 0 && errno != ENOENT)
+      return std::generic_category().message(errno);
+  return "";
+}
+
+/// The run: to write into, or, where that cannot be, as on a medium to read from, to read.
+ResultFolder run_to_judge(const ValidateOptions& options, bool& write) {
+  ResultFolder folder = ResultFolder::open(options.run);
+  const std::string why = unwritable(folder);
+  write = why.empty();
+  if (write) return ResultFolder::open_to_write(options.run);
+  fmt::print(stderr,
+             "legwright: warning: {} cannot be written ({}): the verdict is told, no file of it "
+             "goes there\n",
+             terminal_text(options.run), why);
+  return folder;
+}
+
+/// Throws InputError where the margin of the floor's friction is on the wrong side of a task's.
+void check_friction_margins(const ValidateOptions& options, const RunRecord& run) {
+  std::vector<TaskRecord> tasks = run.tasks.value_or(std::vector<TaskRecord>{});
+  if (run.task) tasks.push_back(*run.task);
+  for (const TaskRecord& task : tasks)
+    check_friction_margin(options.judge.validation.limits, options.limits, task.floor_friction);
+}
+
 int validate_here(ValidateOptions options, JunitFile& junit) {
   if (!options.limits.empty()) options.judge.validation.limits = read_limits(options.limits);
   refuse_if_too_quick(options);
   options.judge.numerics = options.judge.robustness = options.judge.stability = !options.quick;
   options.judge.validation.progress = live_progress(options.progress);
-  const ResultFolder folder = ResultFolder::open_to_write(options.run);
+  const ResultFolder folder = run_to_judge(options, options.judge.write);
   options.check_run(options.run);
   const RunRecord run = read_run_record(folder);
+  check_friction_margins(options, run);
   if (run.joint()) return validate_joint(folder, run, junit, options);
   const JudgedRun judged = judge_run(folder, options.judge);
   const Verdict& verdict = judged.designs[1].verdict;
@@ -220,7 +237,6 @@ int validate_here(ValidateOptions options, JunitFile& junit) {
   } else {
     if (run.task) print_servos(*run.task, "");
     print_judged(judged, run.motion_only, "");
-    print_not_judged(judged, options.judge.validation.limits, "");
   }
   return verdict.pass ? kOk : kInfeasible;
 }
@@ -301,7 +317,8 @@ void add_validate(CLI::App& program, Action& action) {
       "(tools/validate/README.md).\n"
       "Writes metrics.json, verdict.json, comparison.json, numerics.json, robustness.json, "
       "playback_initial.csv and\n"
-      "playback_result.csv into result/.\n"
+      "playback_result.csv into result/, unless that cannot be written: then the verdict is told "
+      "alone.\n"
       "--engine drake plays the result alone, at the same gains, with the same measures and "
       "limits, "
       "and writes\n"

@@ -122,6 +122,56 @@ TEST(LimitsFile, WhatCannotBePlayedIsRefusedWithItsRange) {
   }
 }
 
+TEST(LimitsFile, LimitsOnTheWrongSideAreRefused) {
+  for (const char* text :
+       {"tilt.high = -0.1", "power.low = -1", "saturated_share.high = 1.5", "self_contact.low = 2",
+        "heading_drift_per_cycle.high = -0.01", "standing_speed.high = -1"}) {
+    const std::string told = complaint(text),
+                      key = std::string(text).substr(0, std::string(text).find(' '));
+    EXPECT_NE(told.find("my.toml:1: " + key + ": is "), std::string::npos) << text << ": " << told;
+    EXPECT_NE(told.find("; expected 0 <= "), std::string::npos) << told;
+  }
+  EXPECT_NE(complaint("[tilt]\nhigh = 0")
+                .find("my.toml:2: tilt.high: nothing would pass: it must "
+                      "stay below 0; expected more than 0"),
+            std::string::npos)
+      << complaint("[tilt]\nhigh = 0");
+  EXPECT_EQ(complaint("missed_stances.high = 0"), "");
+  EXPECT_EQ(complaint("slowest_cycle.low = -0.1\nfoot_clearance.low = -0.001"), "");
+  for (const char* text : {"margin.mass.low = 1.2", "margin.mass.high = 0.9",
+                           "margin.gains.low = 2", "margin.delay.low = 0.001",
+                           "margin.initial_roll.low = 0.05", "margin.push_left.high = -0.1",
+                           "margin.slope_along.high = -0.05", "margin.ground_sink.low = 0.001"}) {
+    const std::string told = complaint(std::string("# mine\n") + text),
+                      key = std::string(text).substr(0, std::string(text).find(' '));
+    EXPECT_NE(told.find("my.toml:2: " + key + ": is "), std::string::npos) << text << ": " << told;
+    EXPECT_NE(told.find(" what is planned ("), std::string::npos) << told;
+    EXPECT_NE(told.find("to which the robot must walk; give one "), std::string::npos) << told;
+  }
+  EXPECT_NE(complaint("margin.mass.low = 1.2")
+                .find("is 1.2, above what is planned (1): low is a value down to which the robot "
+                      "must walk; give one of at most 1, or call it high"),
+            std::string::npos)
+      << complaint("margin.mass.low = 1.2");
+  EXPECT_EQ(complaint("margin.mass = { low = 1, high = 1 }\nmargin.delay.low = 0"), "");
+}
+
+TEST(LimitsFile, TheMarginOfFrictionIsComparedWithTheTasks) {
+  const Limits limits = parse_limits("\nmargin.floor_friction.low = 0.7\n", "my.toml");
+  EXPECT_NO_THROW(check_friction_margin(limits, "my.toml", 0.8));
+  EXPECT_NO_THROW(check_friction_margin(default_limits(), "my.toml", 0.8));
+  try {
+    check_friction_margin(limits, "my.toml", 0.6);
+    FAIL() << "walks at 0.6, and must at 0.7";
+  } catch (const InputError& error) {
+    EXPECT_NE(
+        std::string(error.what())
+            .find("my.toml:2: margin.floor_friction.low: is 0.7, above what is planned (0.6)"),
+        std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(LimitsFile, WhatNothingCanPassWithTheDefaultsIsRefused) {
   EXPECT_NE(complaint("speed_ratio.low = 1.2")
                 .find("my.toml:1: speed_ratio.low: nothing would "

@@ -2,6 +2,8 @@
 // examples/broken/verdicts: gaits whose validation fails for the reason in the file's name; and
 // what a limits file and JUnit make of verdicts.
 #include <gtest/gtest.h>
+#include <linux/capability.h>
+#include <sys/prctl.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -111,6 +113,33 @@ TEST_F(BrokenVerdict, DamagedRunIsRefusedBeforeAnythingIsPlayed) {
   EXPECT_EQ(read_file(folder_.path() / "run/run.json"), run);
 }
 
+TEST_F(BrokenVerdict, OfARunThatCannotBeWrittenIsTold) {
+  plan("turns_too_little.toml");
+  const auto may = [&](fs::perms permissions) {
+    for (const char* folder : {"run/result", "run"})
+      fs::permissions(folder_.path() / folder, permissions);
+  };
+  may(fs::perms::owner_read | fs::perms::owner_exec);
+  // Permissions hold for root, too, without this capability.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::geteuid() == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0) != 0) ::_exit(77);
+    const std::vector<std::string> words{"validate", "run", "--quick", "--json"};
+    ::_exit(test::wait_for(test::start(words, folder_.path()), folder_.path()).code);
+  }
+  const test::Outcome told = test::wait_for(child, folder_.path());
+  may(fs::perms::owner_all);
+  if (told.code == 77) GTEST_SKIP() << "NOT TESTED: nobody here is kept from writing";
+  EXPECT_EQ(told.code, 1) << told.err;
+  EXPECT_TRUE(test::contains(told.err, "run cannot be written (Permission denied): the verdict is"))
+      << told.err;
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/result/verdict.json"));
+  const Json verdict = Json::parse(told.out)["verdict"];
+  EXPECT_FALSE(verdict.contains("with")) << "no other files stand beside it";
+  EXPECT_EQ(call({"validate", "run", "--quick"}).code, 1);
+  EXPECT_EQ(result("verdict.json")["result"], verdict["result"]);
+}
+
 TEST_F(BrokenVerdict, FaultyLimitsFilesAreRefusedBeforeAnythingIsPlayed) {
   write_file(folder_.path() / "limits.toml", "[tild]\nhigh = 1\n");
   const test::Outcome unknown = call({"validate", "run", "--limits", "limits.toml"});
@@ -125,6 +154,13 @@ TEST_F(BrokenVerdict, FaultyLimitsFilesAreRefusedBeforeAnythingIsPlayed) {
   EXPECT_EQ(numerics.code, 2);
   EXPECT_TRUE(test::contains(numerics.err, "limits on numerics, which --quick leaves out"))
       << numerics.err;
+  plan("turns_too_little.toml");
+  write_file(folder_.path() / "limits.toml", "margin.floor_friction.low = 5\n");
+  const test::Outcome slippery = call({"validate", "run", "--limits", "limits.toml"});
+  EXPECT_EQ(slippery.code, 2);
+  EXPECT_TRUE(test::contains(
+      slippery.err, "limits.toml:1: margin.floor_friction.low: is 5, above what is planned"))
+      << slippery.err;
 }
 
 }  // namespace

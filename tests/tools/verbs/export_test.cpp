@@ -335,6 +335,8 @@ TEST_F(Export, LegsThatCameTogetherAreToldOf) {
   EXPECT_TRUE(contains(judged.out, hubs)) << judged.out;
   const Json verdict = read_json(root() / "run" / "result" / "verdict.json");
   EXPECT_GT(verdict["home_touches"]["pairs"][0]["depth_m"], 1e-3);
+  EXPECT_EQ(verdict["not_judged"]["limits"], Json({"turn_ratio"}));
+  EXPECT_EQ(verdict["not_judged"]["line"], "limits that judge nothing of this task: turn_ratio");
 }
 
 TEST_F(Export, ALinkIsNoLicence) {
