@@ -8,10 +8,22 @@ namespace {
 
 constexpr int kBetween = 8;  // pictures [pixels]
 constexpr Rgb kDiffers{255, 0, 0};
+constexpr Rgb kNoPicture{128, 128, 128};
+
+/// One beside the other from the same top edge; what neither covers is grey.
+Image of_other_sizes(const Image& before, const Image& after) {
+  Image all(before.width + kBetween + after.width, std::max(before.height, after.height),
+            kNoPicture);
+  copy_into(all, before, 0, 0);
+  copy_into(all, after, before.width + kBetween, 0);
+  return all;
+}
 
 }  // namespace
 
 Image side_by_side(const Image& before, const Image& after) {
+  if (before.width != after.width || before.height != after.height)
+    return of_other_sizes(before, after);
   Image difference = after;
   fade(difference, 0.75);
   for (int y = 0; y < after.height; ++y) {

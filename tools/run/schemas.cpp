@@ -10,6 +10,7 @@
 #include "tools/run/matrix_record.hpp"
 #include "tools/run/metrics_record.hpp"
 #include "tools/run/numerics_record.hpp"
+#include "tools/run/picture_diff_record.hpp"
 #include "tools/run/robustness_record.hpp"
 #include "tools/run/run_record.hpp"
 #include "tools/run/verdict_record.hpp"
@@ -32,7 +33,8 @@ std::vector<std::pair<std::string, Json>> record_schemas() {
           {"numerics", schema_of<NumericsRecord>()},
           {"robustness", schema_of<RobustnessRecord>()},
           {"engine_validation", schema_of<EngineRecord>()},
-          {"checkpoint", schema_of<CheckpointBegin>()}};
+          {"checkpoint", schema_of<CheckpointBegin>()},
+          {"picture_diff", schema_of<PictureDiffRecord>()}};
 }
 
 }  // namespace legwright

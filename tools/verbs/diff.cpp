@@ -144,8 +144,10 @@ void add_diff(CLI::App& program, Action& action) {
   verb->add_option("--pixels", options->pixels, "pictures: how many pixels may differ")
       ->check(CLI::Range(0, 1000000000))
       ->capture_default_str();
-  verb->add_option("-o,--output", options->shown,
-                   "pictures: where before, after and difference go, side by side, if more do");
+  verb->add_option(
+      "-o,--output", options->shown,
+      "pictures: where before, after and difference go, side by side, if more do; an old one "
+      "goes away if not");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Both files are compiled by MuJoCo and compared element by element, by name: bodies, joints, "

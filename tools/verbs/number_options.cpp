@@ -13,17 +13,19 @@
 namespace legwright {
 
 CLI::Validator number_between(double low, double high) {
+  const bool open = high == std::numeric_limits<double>::max();
   const std::string expected =
-      high == std::numeric_limits<double>::max()
-          ? (low == -high ? "a finite number" : fmt::format("a finite number from {} on", low))
-          : fmt::format("a number from {} to {}", low, high);
+      open ? (low == -high ? "a finite number" : fmt::format("a finite number from {} on", low))
+           : fmt::format("a number from {} to {}", low, high);
+  const std::string in_help = open ? (low == -high ? "" : fmt::format("from {} on", low))
+                                   : fmt::format("{} to {}", low, high);
   return {[=](std::string& text) {
             const auto number = parse_number(text);
             return number && *number >= low && *number <= high
                        ? std::string()
                        : fmt::format("'{}' is not {}", text, expected);
           },
-          ""};
+          in_help};
 }
 
 CLI::Validator finite_number() {

@@ -6,7 +6,8 @@
 namespace legwright {
 
 /// Checks for numbers on the command line: a whole word that is a finite number (parse_number()),
-/// within bounds. The library's own take "nan", and a negative seed for a large one.
+/// within bounds, which --help tells. The library's own take "nan", and a negative seed for a large
+/// one.
 CLI::Validator number_between(double low, double high);
 CLI::Validator finite_number();
 CLI::Validator number_from_zero();

@@ -88,7 +88,7 @@ void add_render(CLI::App& program, Action& action) {
       add_verb(program, action, "render", "Draw the pictures of a run, off-screen", render);
   verb->add_option("run", options->run, "Folder that legwright optimize wrote")->required();
   verb->add_option("--phase", options->phases,
-                   "Also a still of the gait at this phase, 0 to 1; may be given several times")
+                   "Also a still of the gait at this phase; may be given several times")
       ->allow_extra_args(false)
       ->check(number_between(0.0, 1.0));
   verb->add_flag("--still", options->still,

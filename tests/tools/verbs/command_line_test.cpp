@@ -62,6 +62,22 @@ INSTANTIATE_TEST_SUITE_P(Verbs, NumberOptions,
                                          Number{add_diff, "diff", "--tolerance", "0.5", "-1"},
                                          Number{add_diff, "diff", "--tolerance", "0.5", "0,5"}));
 
+TEST(NumberOptions, TellTheirRangesInTheHelp) {
+  const auto help = [](void (*add)(CLI::App&, Action&), const char* verb) {
+    CLI::App program;
+    Action action;
+    add(program, action);
+    return program.get_subcommand(verb)->help();
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(help(add_diff, "diff"), "--tolerance FLOAT:from 0 on=1e-09"))
+      << help(add_diff, "diff");
+  EXPECT_TRUE(has(help(add_render, "render"), "--phase FLOAT:0 to 1"));
+  EXPECT_TRUE(has(help(add_optimize, "optimize"), "--few-keeps FLOAT:1 to 100=95"));
+}
+
 TEST(NumberChecks, KeepTheirBounds) {
   const auto passes = [](const CLI::Validator& check, std::string text) {
     return check(text).empty();

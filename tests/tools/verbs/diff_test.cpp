@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "tests/support/json_schema.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/verbs/program.hpp"
 #include "tools/image/png.hpp"
@@ -41,11 +43,55 @@ TEST(Diff, OfPicturesCountsPixels) {
   EXPECT_EQ(Json::parse(call_there({"diff", "a.png", "b.png", "--json"}).out)["different"], 3);
   const Outcome wide = call_there({"diff", "a.png", "wide.png"});
   EXPECT_EQ(wide.code, 1);
-  EXPECT_TRUE(contains(wide.out, "20 x 10 pixels and 21 x 10 pixels: other sizes")) << wide.out;
+  EXPECT_EQ(wide.out, "20 x 10 pixels and 21 x 10 pixels: other sizes\n");
   const Outcome none = call_there({"diff", "a.png", "text.png"});
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(contains(none.err, "text.png: is no PNG")) << none.err;
   EXPECT_EQ(call_there({"diff", "a.png", "nowhere.png"}).code, 3);
+}
+
+TEST(Diff, ThePictureThatShowsPicturesIsOfTheseTwo) {
+  const TemporaryFolder folder;
+  const auto call_there = [&](const std::vector<std::string>& words) {
+    return test::call_in(folder.path(), words);
+  };
+  const fs::path shown = folder.path() / "d.png";
+  Image picture(20, 10);
+  write_png(folder.path() / "a.png", picture);
+  picture.pixel(3, 2)[1] = 7;
+  write_png(folder.path() / "b.png", picture);
+  write_png(folder.path() / "tall.png", Image(21, 14, {0, 0, 255}));
+  EXPECT_EQ(call_there({"diff", "a.png", "b.png", "-o", "d.png"}).code, 1);
+  EXPECT_TRUE(fs::exists(shown));
+  EXPECT_EQ(call_there({"diff", "a.png", "a.png", "-o", "d.png"}).code, 0);
+  EXPECT_FALSE(fs::exists(shown)) << "of an earlier comparison";
+
+  const Outcome tall = call_there({"diff", "a.png", "tall.png", "-o", "d.png", "--json"});
+  EXPECT_EQ(tall.code, 1);
+  const Image both = read_png(shown);
+  EXPECT_EQ(both.width, 20 + 8 + 21);
+  EXPECT_EQ(both.height, 14);
+  EXPECT_EQ(both.pixel(19, 9)[1], 255);
+  EXPECT_EQ(both.pixel(19, 10)[1], 128) << "no picture there";
+  EXPECT_EQ(both.pixel(28, 13)[2], 255);
+  const Json json = Json::parse(tall.out);
+  EXPECT_EQ(
+      test::schema_fault(
+          read_json(fs::path(test::source_dir()) / "docs/schema/picture_diff.schema.json"), json),
+      "");
+  EXPECT_EQ(json["after_size"]["height"], 14);
+  EXPECT_EQ(json["shown"], "d.png");
+  EXPECT_TRUE(contains(call_there({"diff", "a.png", "tall.png", "-o", "d.png"}).out,
+                       "20 x 10 pixels and 21 x 14 pixels: other sizes; before | after: d.png"));
+
+  write_file(folder.path() / "notes.txt", "mine\n");
+  for (const char* taken : {"a.png", "./b.png", "notes.txt"}) {
+    const std::string before = read_file(folder.path() / taken);
+    const Outcome refused = call_there({"diff", "a.png", "b.png", "-o", taken});
+    EXPECT_EQ(refused.code, 2) << taken << refused.out;
+    EXPECT_TRUE(contains(refused.err, "name another file")) << refused.err;
+    EXPECT_EQ(read_file(folder.path() / taken), before);
+  }
 }
 
 TEST(Diff, TellsWhatADesignChanged) {
