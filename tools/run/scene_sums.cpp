@@ -57,11 +57,9 @@ void check_own_scene(const fs::path& root, const RunRecord& run, const fs::path&
   throw InputError(
       scene.string(), 0, "",
       "was edited since the run wrote it (its SHA-256 in run.json is another) and would be taken "
-      "for "
-      "the run's. For other masses, gains or friction change the file of the robot or of the task "
-      "and run `legwright optimize` again; `legwright play` shows an edited scene; `legwright "
-      "pick` "
-      "puts a design of the run in the place of an edited result");
+      "for the run's. For other masses, gains or friction change the file of the robot or of the "
+      "task and run `legwright optimize` again; `legwright play` shows an edited scene; `legwright "
+      "pick` puts a design of the run in the place of an edited result");
 }
 
 }  // namespace

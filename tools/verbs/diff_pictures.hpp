@@ -9,7 +9,7 @@ namespace legwright {
 struct PictureDiff {
   std::string before, after;  // PNG files
   int allowed = 0;            // pixels that may differ
-  std::string shown;  // where side_by_side() of them goes if too many do; empty: nowhere
+  std::string shown;          // where side_by_side() of them goes if too many do; empty: nowhere
   bool json = false;
 };
 
