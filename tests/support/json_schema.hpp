@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 
-#include "tests/support/paths.hpp"
 #include "tools/files/json_file.hpp"
 
 namespace legwright::test {
@@ -66,13 +64,6 @@ inline std::string schema_fault(const Json& schema, const Json& value, const std
     }
   }
   return "";
-}
-
-/// The same of a file and a schema of docs/schema/.
-inline std::string schema_fault(const std::string& schema, const std::filesystem::path& file) {
-  const auto stored = std::filesystem::path(test::source_dir()) / "docs" / "schema";
-  return schema_fault(read_json(stored / (schema + ".schema.json")), read_json(file),
-                      file.string());
 }
 
 }  // namespace legwright::test

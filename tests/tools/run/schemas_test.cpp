@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 
 #include "tests/support/json_schema.hpp"
 #include "tools/run/events.hpp"
+#include "tools/run/picture_diff_record.hpp"
 #include "tools/run/record.hpp"
 
 namespace legwright {
@@ -34,27 +37,39 @@ TEST(Schemas, AreStoredAsTheRecordsAre) {
   EXPECT_EQ(count, 0u) << "a schema of no record";
 }
 
+/// The stored schema that a document names takes it, and no other one.
+void expect_taken_alone(const Json& whole) {
+  const std::string schema_key = whole["schema"];
+  const std::string kind = schema_key.substr(schema_key.find('/') + 1);
+  const Json schema = read_json(kStored / (kind + ".schema.json"));
+  EXPECT_EQ(test::schema_fault(schema, whole), "") << kind;
+  for (const Json& key : schema["required"]) {
+    Json damaged = whole;
+    damaged.erase(key.get<std::string>());
+    EXPECT_EQ(test::schema_fault(schema, damaged), ": without " + key.dump());
+    damaged[key.get<std::string>()] = Json::object({{"x", Json::array({1})}});
+    EXPECT_NE(test::schema_fault(schema, damaged), "") << key;
+  }
+  Json damaged = whole;
+  damaged["wishes"] = 3;
+  EXPECT_EQ(test::schema_fault(schema, damaged), ": wishes is not known");
+}
+
+TEST(Schemas, TakeWhatADiffOfPicturesPrints) {
+  PictureDiffRecord diff;
+  diff.before = "a.png";
+  diff.after = "b.png";
+  expect_taken_alone(json_of(diff));
+  diff.shown = "d.png";
+  EXPECT_EQ(json_of(diff)["shown"], "d.png");
+  expect_taken_alone(json_of(diff));
+}
+
 TEST(Schemas, TakeWhatARunHoldsAndNothingElse) {
   for (const char* name :
        {"run", "result/certificate", "result/metrics", "result/verdict", "result/comparison",
-        "result/numerics", "result/robustness", "result/validation_drake"}) {
-    const fs::path file = kFixture / (std::string(name) + ".json");
-    const std::string schema_key = read_json(file)["schema"];
-    const std::string kind = schema_key.substr(schema_key.find('/') + 1);
-    EXPECT_EQ(test::schema_fault(kind, file), "");
-    const Json schema = read_json(kStored / (kind + ".schema.json"));
-    const Json whole = read_json(file);
-    for (const Json& key : schema["required"]) {
-      Json damaged = whole;
-      damaged.erase(key.get<std::string>());
-      EXPECT_EQ(test::schema_fault(schema, damaged), ": without " + key.dump());
-      damaged[key.get<std::string>()] = Json::object({{"x", Json::array({1})}});
-      EXPECT_NE(test::schema_fault(schema, damaged), "") << key;
-    }
-    Json damaged = whole;
-    damaged["wishes"] = 3;
-    EXPECT_EQ(test::schema_fault(schema, damaged), ": wishes is not known");
-  }
+        "result/numerics", "result/robustness", "result/validation_drake"})
+    expect_taken_alone(read_json(kFixture / (std::string(name) + ".json")));
   for (const Json& event : read_events(kFixture / "events.jsonl")) {
     const std::string kind = "event_" + event["event"].get<std::string>();
     EXPECT_EQ(test::schema_fault(read_json(kStored / (kind + ".schema.json")), event), "");
