@@ -13,6 +13,7 @@ from legwright.parts._as_printed import as_printed, check_as_printed
 from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import Load, check_beams, run_loads
 from legwright.parts._checks import Check
+from legwright.parts._clear import check_modules_clear
 from legwright.parts._exploded import exploded_scene
 from legwright.parts._feet import feet_of, foot_solid
 from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
@@ -108,6 +109,7 @@ def _all_checks(
         *check_screws(parts, options.wall),
         *check_bed(parts, options),
         *check_beams(robot, parts, use.loads, options),
+        *check_modules_clear(robot),
         check_poses(distances, use.poses, options.gap, use.what),
         *ranges,
     ]
