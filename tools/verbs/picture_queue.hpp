@@ -23,6 +23,7 @@ class PictureQueue {
 
   /// The folder's scene.xml will be drawn. The first folder sets the camera of all.
   void add(const std::filesystem::path& design_folder);
+  /// How many are not drawn yet, the one at hand among them.
   std::size_t waiting();
   /// Waits until all is drawn. @return a warning, empty if all went well
   std::string finish();
@@ -35,7 +36,7 @@ class PictureQueue {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::filesystem::path> folders_;
-  bool closed_ = false;
+  bool closed_ = false, at_hand_ = false;
   std::string failure_;
   std::thread thread_;
 };

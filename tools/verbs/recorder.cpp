@@ -86,11 +86,17 @@ void Recorder::end(const RunRecord& run) {
 }
 
 void Recorder::draw_rest(bool quiet) {
-  const std::size_t waiting = pictures_.waiting();
-  if (!quiet && waiting > 1)
-    fmt::print(stderr, "drawing {} more pictures (may be interrupted)\n", waiting);
-  while (pictures_.waiting() > 0 && !stop_())
+  constexpr double kUntold = 1.0;  // of waiting for one picture [s]
+  const Stopwatch watch;
+  bool told = quiet;
+  for (std::size_t left; (left = pictures_.waiting()) > 0 && !stop_();) {
+    if (!told && (left > 1 || watch.seconds() > kUntold)) {
+      fmt::print(stderr, "drawing {} more picture{} (may be interrupted)\n", left,
+                 left == 1 ? "" : "s");
+      told = true;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
   if (stop_()) return;
   const std::string warning = pictures_.finish();
   if (!warning.empty()) fmt::print(stderr, "legwright: warning: {}\n", warning);
