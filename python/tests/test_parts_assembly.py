@@ -7,13 +7,16 @@ import os
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import mujoco
 import numpy as np
 import pytest
 from legwright import parts
+from legwright.parts._assembly_sheet import _Sheet
 from legwright.parts._drawing import spread
 from legwright.parts._labels import AWAY, RIGHT, UP, Camera, Thing, clearest_turn, hidden, labels_of
+from legwright.parts._tables import Row, screw_of
 from test_parts import PROGRAM, build
 
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
@@ -60,9 +63,12 @@ def test_the_sheet_has_all_of_the_bill_and_as_many_screws(made):
     on_trunk = {step[3].rpartition('as ')[2] for step in sections(made)['trunk']}
     for number, row in bill(made).items():
         if row['kind'] == 'screw':
-            found = [t for s in steps for t in s[4].split('; ') if f'(no. {number})' in t]
+            cited = [t for s in steps for t in s[4].split('; ')]
+            found = [t for t in cited if f'(no. {number})' in t]
             known = row['name'] != 'pattern not known'
             count = sum(int(re.search(r'(\d+) x', t)[1]) if known else 1 for t in found)
+            some = [re.search(rf'(\d+) of no\. {number}[,)]', t) for t in cited]
+            count += sum(int(each[1]) for each in some if each)
         elif row['kind'] in ('tie', 'tape'):
             count = sum(f'(no. {number})' in s[4] for s in steps)
         elif row['kind'] == 'trunk':
@@ -82,6 +88,17 @@ def test_pictures_have_each_thing_once(made):
         assert meshes == sum('.stl' in s[2] or 'cable tie' in s[4] for s in steps)
         boxes = sum(model.geom_type == mujoco.mjtGeom.mjGEOM_BOX)
         assert boxes >= sum('servo ' in step[2] for step in steps)
+
+
+def test_screws_of_one_attachment_in_two_rows_of_the_bill_are_told_by_both():
+    """Three that bridge 3.5 mm and one that bridges 10.1."""
+    module = SimpleNamespace(words=SimpleNamespace(name='MY-1'))
+    fixing = SimpleNamespace(module=module, place=SimpleNamespace(name='horn', screw='M2'))
+    holes = [SimpleNamespace(fixing=fixing, seat=seat) for seat in (3.5, 10.1, 3.5, 3.5)]
+    told = [screw_of(fixing, hole) for hole in holes[:2]]
+    rows = [Row('screw', name, 9, None, None, note) for name, note in told]
+    words = _Sheet(rows)._of_fixing(SimpleNamespace(holes=holes, pegs=()), fixing)
+    assert words == 'horn: 4 x M2, bridging 3.5 to 10.1 mm (3 of no. 1, 1 of no. 2)'
 
 
 @pytest.mark.long

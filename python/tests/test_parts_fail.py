@@ -77,7 +77,8 @@ def test_what_is_not_reached_is_told_by_what_it_is(kind, on_trunk, places, remed
     """Material begins 9.6 mm under it."""
     none = np.zeros((0, 3))
     found = [Place(name, False, np.zeros(3), -UP, None, none) for name in places.split()]
-    module = SimpleNamespace(of='it', places=found, words=SimpleNamespace(name='MY-1', kind=kind))
+    words = SimpleNamespace(name='MY-1', kind=kind, cable=())
+    module = SimpleNamespace(of='it', places=found, words=words)
     horn = Place('horn', True, np.zeros(3), UP, None, none)
     servo = SimpleNamespace(
         of='below', places=[horn], words=SimpleNamespace(name='MY-2', kind='servo')

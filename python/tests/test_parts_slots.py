@@ -62,6 +62,18 @@ def test_parts_and_cradles_leave_the_slots_free(dog, printed, tmp_path):
     assert not [c for c in made.checks if c.name in ('in one piece', 'wall') and not c.passed]
 
 
+def test_a_slot_that_takes_what_holds_a_servo_is_named_as_the_cause(dog, tmp_path):
+    """Of the knee's servo, which the thigh holds at its bottom alone."""
+    made = parts.make(dog, tmp_path / 'out')
+    (failed,) = [c for c in made.checks if c.name == 'reaches FL_knee_servo']
+    words = 'at its bottom is cut away by the slot for the cable of FL_knee_servo at its bottom'
+    assert not failed.passed and words in failed.where
+    assert 'cable in the module file of XL430-W250' in failed.remedy
+    assert 'move that joint' not in failed.remedy
+    sheet = (tmp_path / 'out/assembly.md').read_text(encoding='utf-8')
+    assert f'| nothing: what would hold it {words} |' in sheet
+
+
 def test_a_cable_at_no_attachment_is_refused(dog, tmp_path):
     text = dog.read_text(encoding='utf-8')
     robot = tmp_path / 'robot.xml'

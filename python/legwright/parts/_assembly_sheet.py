@@ -3,9 +3,10 @@
 
 from collections.abc import Mapping, Sequence
 
-from legwright.parts._holes import Fixing
+from legwright.parts._holes import Fixing, Hole
 from legwright.parts._limb_views import limb_scene, number_of, trunk_scene
 from legwright.parts._limbs import Limb, Piece, limbs_of, trunk_steps
+from legwright.parts._reach import cut_by_slots, slot_words
 from legwright.parts._robot import BuiltRobot, Module
 from legwright.parts._solids import Part, Solid
 from legwright.parts._tables import (
@@ -41,19 +42,33 @@ class _Sheet:
         if is_pressed(solid, fixing):
             return f'{fixing.place.name}: none, it is pressed on its peg'
         holes = [hole for hole in solid.holes if hole.fixing is fixing]
-        name, note = screw_of(fixing, holes[0] if holes else None)
-        number = self._screws.get((name, note))
-        row = '' if number is None else f' (no. {number})'
         if not holes:
+            number = self._screws.get(screw_of(fixing, None))
+            row = '' if number is None else f' (no. {number})'
             return f'{fixing.place.name}: not known{row}'
-        seats = sorted({f'{hole.seat:.1f}' for hole in holes})
+        seats = sorted({f'{hole.seat:.1f}' for hole in holes}, key=float)
         of = ' to '.join(dict.fromkeys([seats[0], seats[-1]]))
-        return f'{fixing.place.name}: {len(holes)} x {name}, bridging {of} mm{row}'
+        name = screw_of(fixing, holes[0])[0]
+        rows = self._rows_of(fixing, holes)
+        return f'{fixing.place.name}: {len(holes)} x {name}, bridging {of} mm ({rows})'
+
+    def _rows_of(self, fixing: Fixing, holes: Sequence[Hole]) -> str:
+        """The rows of the bill that have the screws of an attachment, with how many of each."""
+        counts: dict[int, int] = {}
+        for hole in holes:
+            number = self._screws[screw_of(fixing, hole)]
+            counts[number] = counts.get(number, 0) + 1
+        if len(counts) == 1:
+            return f'no. {min(counts)}'
+        return ', '.join(f'{counts[number]} of no. {number}' for number in sorted(counts))
 
     def screws(self, solid: Solid, module: Module) -> str:
         """What fixes a solid to a module, by attachments."""
         found = [f for f in solid.fixings if f.module is module]
-        return '; '.join(self._of_fixing(solid, fixing) for fixing in found) or 'none'
+        if not found:
+            cut = slot_words(cut_by_slots(solid, module))
+            return f'nothing: {cut}' if cut else 'nothing: the part does not reach it'
+        return '; '.join(self._of_fixing(solid, fixing) for fixing in found)
 
     def held(self, trunk: Solid, module: Module) -> str:
         """What fixes a module to the trunk."""

@@ -92,7 +92,7 @@ def _hits(solid: Manifold, start: Array, axis: Array, length: float) -> list[flo
     return [float(np.dot(np.asarray(hit.position) - start, axis)) for hit in hits]
 
 
-def _is_covered(solid: Manifold, position: Array, normal: Array) -> bool:
+def is_covered(solid: Manifold, position: Array, normal: Array) -> bool:
     """Whether material begins before an attachment [mm]."""
     return bool(_hits(solid, position - 0.5 * normal, normal, REACH + 0.5))
 
@@ -117,7 +117,7 @@ def fixings_of(robot: BuiltRobot, link: Link, solid: Manifold) -> list[Fixing]:
             if place.on_horn != turns:
                 continue
             position = place.position - shift
-            if _is_covered(solid, MM * position, place.normal):
+            if is_covered(solid, MM * position, place.normal):
                 holes = place.holes - shift
                 out.append(Fixing(module, place, position, place.normal, holes))
     return out

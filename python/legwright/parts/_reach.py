@@ -2,10 +2,13 @@
 """Whether a part reaches what it is fixed to, and what mends it where it does not."""
 
 import math
+from collections.abc import Sequence
 
 from legwright.parts._checks import Check
-from legwright.parts._holes import REACH, gap_before
+from legwright.parts._holes import REACH, gap_before, is_covered
 from legwright.parts._robot import Module
+from legwright.parts._shapes import MM, joined, outline
+from legwright.parts._slots import cable_places, slot_before
 from legwright.parts._solids import Solid
 
 
@@ -41,6 +44,48 @@ def _cure(solid: Solid, module: Module, is_horn: bool) -> str:
     )
 
 
+def cut_by_slots(solid: Solid, module: Module) -> list[tuple[str, Module, str]]:
+    """Attachments of a module on a solid that it would cover, were there no slot for a cable.
+
+    Of each its name, whose cable it is, and the attachment at which that leaves.
+    """
+    own = solid.link.modules
+    slots = [(each, place) for each in own for place in cable_places(each)]
+    if not slots:
+        return []
+    whole = solid.declared - joined([outline(each) for each in own])
+    out = []
+    for each, place in slots:
+        filled = solid.shape + (whole ^ slot_before(place))
+        out += [
+            (held.name, each, place.name)
+            for held in module.places
+            if not held.on_horn and is_covered(filled, MM * held.position, held.normal)
+        ]
+    return out
+
+
+def slot_words(cut: Sequence[tuple[str, Module, str]]) -> str:
+    """What cuts it away, for people."""
+    found = [
+        f'what would hold it at its {held} is cut away by the slot for the cable of {of.of} at '
+        f'its {side}'
+        for held, of, side in cut
+    ]
+    return '; '.join(found)
+
+
+def _slot_cure(cut: Sequence[tuple[str, Module, str]]) -> str:
+    """What mends that: the cable leaves where nothing is held, or something is held elsewhere."""
+    names = ' or '.join(dict.fromkeys(of.words.name for _, of, _ in cut))
+    sides = ' and '.join(dict.fromkeys(side for _, _, side in cut))
+    return (
+        f'the slot for a cable cuts away what would hold it: let the cable leave elsewhere than at '
+        f'{sides} (cable in the module file of {names}), or turn that servo by roll, so that '
+        'another of its sides is held; then build the robot anew'
+    )
+
+
 def _nearest(solid: Solid, module: Module) -> str:
     """Where material begins before the attachments of what stands on the solid."""
     places = [place for place in module.places if not place.on_horn]
@@ -63,8 +108,11 @@ def reaches(solid: Solid, part: str) -> list[Check]:
         ]
         good = bool(found)
         where = ', '.join(found)
+        cure = '' if good else _cure(solid, module, is_horn)
         if not good and not is_horn:
             where = _nearest(solid, module)
+            if cut := cut_by_slots(solid, module):
+                where, cure = slot_words(cut), _slot_cure(cut)
         out.append(
             Check(
                 part,
@@ -74,7 +122,7 @@ def reaches(solid: Solid, part: str) -> list[Check]:
                 'attachments',
                 'at least 1',
                 where,
-                '' if good else _cure(solid, module, is_horn),
+                cure,
             )
         )
     return out
