@@ -43,6 +43,17 @@ bool holds_any_entry(const fs::path& root) {
          "choose another folder, or mend its permissions or the disk");
 }
 
+/// Whether a run was broken off before it had a design, or a state to go on from: nobody's loss.
+bool never_began(const fs::path& root) {
+  std::error_code error;
+  if (has_checkpoint(root)) return false;
+  for (const char* designs : {"iterations", "starts", "tasks", "candidates", "front", "result"})
+    if (fs::exists(root / designs, error) && !fs::is_empty(root / designs, error)) return false;
+  const Json run = read_json(root / "run.json");
+  const auto status = run.find("status");
+  return status != run.end() && (*status == "running" || *status == "failed");
+}
+
 /// Where a run may come into being. Throws IoError where something else stands there.
 /// @return whether a run is there, which the new one replaces
 bool check_free(const fs::path& root, bool force) {
@@ -50,7 +61,7 @@ bool check_free(const fs::path& root, bool force) {
   if (!is_run(root))
     refuse(root, "holds files of the names of a run that are not Legwright's",
            "choose another folder");
-  if (!force)
+  if (!force && !never_began(root))
     refuse(root, "already holds a run",
            (has_checkpoint(root)
                 ? "go on with its search with `legwright optimize --resume " + root.string() + "`, "

@@ -12,10 +12,12 @@
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/factor/hessian_factor.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/json_file.hpp"
 #include "tools/files/parse_json.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_build.hpp"
+#include "tools/run/run_record.hpp"
 
 namespace legwright {
 
@@ -37,6 +39,17 @@ std::string words_of(const ByName<std::string>& versions) {
   return out;
 }
 
+/// Of a run without a state.
+std::string why_nothing_goes_on(const fs::path& run) {
+  if (!is_run(run))
+    return "holds no search that could go on; give the folder that `legwright optimize` wrote";
+  if (read_record_file<RunRecord>(run / "run.json").ended())
+    return "its search came to its end; there is nothing to go on with";
+  return "its search was broken off before it had a state to go on from; begin anew: `legwright "
+         "optimize TASK -o " +
+         run.string() + " --force`";
+}
+
 }  // namespace
 
 CheckpointBegin begin_of(const OptimizeOptions& options) {
@@ -50,11 +63,7 @@ CheckpointBegin begin_of(const OptimizeOptions& options) {
 ReadCheckpoint unfinished_search(const fs::path& run, bool anyway) {
   rescue_checkpoint(run);
   std::optional<ReadCheckpoint> found = read_checkpoint(run);
-  if (!found)
-    throw IoError(run.string() + (is_run(run) ? ": its search came to its end; there is nothing to "
-                                                "go on with"
-                                              : ": holds no search that could go on; give the "
-                                                "folder that `legwright optimize` wrote"));
+  if (!found) throw IoError(run.string() + ": " + why_nothing_goes_on(run));
   const CheckpointBegin now = begin_of({});
   if (!anyway && (found->begin.versions != now.versions || found->begin.factor != now.factor))
     throw InputError(fmt::format(

@@ -71,6 +71,27 @@ TEST(ResultFolder, NeverRemovesWhatIsNoRun) {
   EXPECT_EQ(read_file(base.path() / "result" / "thesis.tex"), "years of work");
 }
 
+// As a full disk leaves it.
+TEST(ResultFolder, TakesARunThatWasBrokenOffBeforeItHadADesign) {
+  const TemporaryFolder base;
+  const fs::path run = base.path() / "run";
+  for (const char* status : {"running", "failed"}) {
+    make_run(run);
+    write_json(run / "run.json", {{"schema", "legwright/run"}, {"status", status}});
+    write_file(run / "inputs/robot.xml", "half");
+    EXPECT_EQ(refusal(run, false), "") << status;
+    fs::remove_all(run);
+  }
+  for (const char* kept : {"iterations/0000/scene.xml", "result/scene.xml"}) {
+    make_run(run);
+    write_json(run / "run.json", {{"schema", "legwright/run"}, {"status", "running"}});
+    fs::create_directories((run / kept).parent_path());
+    write_file(run / kept, "a design");
+    EXPECT_NE(refusal(run, false).find("already holds a run"), std::string::npos) << kept;
+    fs::remove_all(run);
+  }
+}
+
 TEST(ResultFolder, TakesWhatAKilledProcessHadOnlyBegun) {
   const TemporaryFolder base;
   (void)ResultFolder::create(base.path() / "run", false);  // without run.json

@@ -157,6 +157,13 @@ TEST_F(Resume, AStoppedSearchSaysHowItGoesOnAndDoes) {
   const Outcome again = call({"optimize", "--resume", "run"});
   EXPECT_EQ(again.code, 3);
   EXPECT_TRUE(contains(again.err, "came to its end")) << again.err;
+  Json record = read_json(run() / "run.json");
+  record["status"] = "running";  // as where a disk is full before there is a state
+  write_json(run() / "run.json", record);
+  const Outcome broken_off = call({"optimize", "--resume", "run"});
+  EXPECT_EQ(broken_off.code, 3);
+  EXPECT_TRUE(contains(broken_off.err, "before it had a state to go on from; begin anew"))
+      << broken_off.err;
 }
 
 TEST_F(Resume, ItIsRefusedAfterAnythingChanged) {
