@@ -26,13 +26,13 @@ Eigen::Vector2d velocity_of(const Trajectory& plan) {
   return WantedPath::velocity_along_arc(step, plan.turn, plan.period);
 }
 
-/// Whether a run around a design's folder can be gone on with.
-bool is_of_stopped_search(const fs::path& folder) {
+/// The run around a design's folder, as that is written, where it can be gone on with; else empty.
+fs::path stopped_search_around(const fs::path& folder) {
   constexpr int kDeepest = 5;  // RUN/tasks/NAME/iterations/0000
-  fs::path at = fs::absolute(folder).lexically_normal();
-  for (int k = 0; k < kDeepest; ++k, at = at.parent_path())
-    if (has_checkpoint(at)) return true;
-  return false;
+  fs::path at = folder.lexically_normal();
+  for (int k = 0; k < kDeepest && !at.empty(); ++k, at = at.parent_path())
+    if (has_checkpoint(at)) return at;
+  return {};
 }
 
 }  // namespace
@@ -52,10 +52,12 @@ TaskOfRun task_of_run(const ResultFolder& folder) {
 SceneToValidate scene_to_validate(const fs::path& folder) {
   SceneToValidate out{folder / "scene.xml", Eigen::Vector2d::Zero()};
   if (!fs::is_regular_file(out.scene)) {
+    const fs::path stopped = stopped_search_around(folder);
     throw IoError(out.scene.string() + ": no such file; " +
-                  (is_of_stopped_search(folder)
+                  (!stopped.empty()
                        ? "the search was stopped before it was written: `legwright optimize "
-                         "--resume RUN` goes on with it"
+                         "--resume " +
+                             stopped.string() + "` goes on with it"
                        : "the run is not whole: run `legwright optimize` again, with --force"));
   }
   const Trajectory plan = read_motion_csv(folder / "motion.csv");
