@@ -19,9 +19,10 @@ from legwright.parts._feet import feet_of, foot_solid
 from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
 from legwright.parts._gait import gait_poses
-from legwright.parts._mesh_files import Item, mesh_of, stl_bytes, threemf_bytes
+from legwright.parts._mesh_files import mesh_of, stl_bytes
 from legwright.parts._numbers import numbered_parts
 from legwright.parts._options import PartOptions
+from legwright.parts._plates import plate_files
 from legwright.parts._prints import check_bed, prints_markdown
 from legwright.parts._robot import BuiltRobot, home_of, read_built
 from legwright.parts._screw_checks import check_screws
@@ -34,7 +35,6 @@ from legwright.parts._words import Array
 
 SCENE, PICTURE = 'exploded.xml', 'exploded.png'
 """The exploded view; `legwright parts` draws the picture of the scene."""
-_SPACE = 5.0  # [mm] between parts in all.3mf
 
 
 @dataclass(frozen=True)
@@ -65,21 +65,6 @@ def robot_file(path: Path) -> Path:
             'MJCF that `legwright build` wrote'
         )
     return file
-
-
-def _items(parts: Sequence[Part]) -> list[Item]:
-    """The parts in rows, each copy at a place of its own, on the plate's plane."""
-    items, y = [], 0.0
-    for part in parts:
-        low, high = part.mesh.vertices.min(axis=0), part.mesh.vertices.max(axis=0)
-        size = high - low
-        places = [
-            (k * float(size[0] + _SPACE) - float(low[0]), y - float(low[1]), -float(low[2]))
-            for k in range(part.count)
-        ]
-        items.append(Item(part.name, part.mesh, places))
-        y += float(size[1]) + _SPACE
-    return items
 
 
 @dataclass(frozen=True)
@@ -194,7 +179,7 @@ def make(
     if options.step:
         files |= {f'{part.name}.step': step_bytes(part.name, part.mesh) for part in parts}
     files |= _feet(parts, options.press)
-    files['all.3mf'] = threemf_bytes(built.name, _items(parts))
+    files |= plate_files(built.name, parts, options.bed_for(built.bed))
     files['bom.csv'] = bill_csv(rows).encode()
     files['prints.md'] = prints_markdown(built.name, parts, checks, options).encode()
     numbers = {row.key: number for number, row in enumerate(rows, 1)}

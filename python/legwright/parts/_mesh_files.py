@@ -93,12 +93,22 @@ def _object(number: int, name: str, mesh: Mesh) -> str:
 
 
 @dataclass(frozen=True)
+class Place:
+    """Where the origin of a part lies on a plate [mm], and whether it is turned left by a quarter."""
+
+    x: float
+    y: float
+    z: float
+    turned: bool = False
+
+
+@dataclass(frozen=True)
 class Item:
-    """A part of a 3MF: its mesh, and where each of its copies lies on the plate [mm]."""
+    """A part of a 3MF: its mesh, and where each of its copies lies on the plate."""
 
     name: str
     mesh: Mesh
-    places: Sequence[tuple[float, float, float]]
+    places: Sequence[Place]
 
 
 def threemf_bytes(title: str, items: Sequence[Item]) -> bytes:
@@ -106,8 +116,9 @@ def threemf_bytes(title: str, items: Sequence[Item]) -> bytes:
     objects, build = [], []
     for number, item in enumerate(items, 1):
         objects.append(_object(number, item.name, item.mesh))
-        for x, y, z in item.places:
-            place = f'1 0 0 0 1 0 0 0 1 {x:.6g} {y:.6g} {z:.6g}'
+        for at in item.places:
+            turn = '0 1 0 -1 0 0 0 0 1' if at.turned else '1 0 0 0 1 0 0 0 1'
+            place = f'{turn} {at.x:.7g} {at.y:.7g} {at.z:.7g}'
             build.append(f'  <item objectid="{number}" transform="{place}"/>\n')
     model = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'

@@ -50,6 +50,11 @@ class Lying:
         flat, room = sorted(size[:2]), sorted(bed[:2])
         return bool(flat[0] <= room[0] and flat[1] <= room[1] and size[2] <= bed[2])
 
+    def room(self, bed: Sequence[float]) -> float:
+        """How much of the bed is left at each side of the box, in its middle [mm]."""
+        flat, room = sorted(self.size[:2]), sorted(bed[:2])
+        return float(min(room[0] - flat[0], room[1] - flat[1])) / 2
+
 
 class Faces:
     """Triangles of a solid: normals, areas and corners."""

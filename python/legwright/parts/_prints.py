@@ -10,6 +10,7 @@ from legwright.parts._shapes import MM
 from legwright.parts._solids import Part
 from legwright.parts._tables import markdown
 
+_SKIRT = 5.0  # [mm] at each side: what a skirt or brim and the bed's clips may need
 _RULES = """
 Sizes are of the box of a part as its STL lies, which is how it is to be printed. Of the flat sides
 of its hull that side is down which leaves the least area looking down by more than 45°; sides on
@@ -18,12 +19,21 @@ breaks, and those that touch less than a twentieth of its box, from which it wou
 Wall is the least thickness that the checks found. Support is 15 % of the room between such areas
 and the bed. Time is volume and support by 8 mm³/s and 3 s for each layer of 0.2 mm: a rule to
 compare parts by, no slicer's figure. Mass is of part and support, filled, at the density that the
-robot was designed with.
+robot was designed with. What fits has no margin but what is told beside it: skirt, brim and clips
+of the bed need some, too.
 """
 
 
 def _sizes(values: Sequence[float]) -> str:
     return ' x '.join(f'{value:.1f}' for value in values)
+
+
+def _fits(part: Part, bed: Sequence[float]) -> str:
+    """Whether it fits, and what is left beside it where that is little."""
+    if not part.lying.fits(bed):
+        return 'NO'
+    room = abs(part.lying.room(bed))
+    return 'yes' if room >= _SKIRT else f'yes, {room:.1f} mm left at a side'
 
 
 def _direction(part: Part) -> str:
@@ -71,7 +81,7 @@ def prints_markdown(
                 f'{lying.support:.0f}',
                 f'{_grams(part):.1f}',
                 _minutes(lying.seconds),
-                'yes' if lying.fits(options.bed_for(None)) else 'NO',
+                _fits(part, options.bed_for(None)),
             ]
         )
     head = [
@@ -100,6 +110,9 @@ def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
     for part in parts:
         good = part.lying.fits(options.bed_for(None))
         largest = float(max(part.lying.size))
+        where = _sizes(part.lying.size) + ' mm'
+        if good:
+            where += f', {abs(part.lying.room(options.bed_for(None))):.1f} mm left at a side'
         out.append(
             Check(
                 part.name,
@@ -108,7 +121,7 @@ def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
                 largest,
                 'mm',
                 f'in {_sizes(options.bed_for(None))} mm',
-                _sizes(part.lying.size) + ' mm',
+                where,
                 ''
                 if good
                 else 'a larger printer (--bed), or a smaller upper bound of that length',
