@@ -94,7 +94,7 @@ def _object(number: int, name: str, mesh: Mesh) -> str:
 
 @dataclass(frozen=True)
 class Place:
-    """Where the origin of a part lies on a plate [mm], and whether it is turned left by a quarter."""
+    """Where the origin of a part lies on a plate [mm], perhaps turned left by a quarter."""
 
     x: float
     y: float
