@@ -146,6 +146,19 @@ std::vector<Proposal> without_linear(const Assembly& assembly,
   return out;
 }
 
+/// Throws InputError where the robot, of which no other pose to stand in was found, is drawn at an
+/// angle that a joint does not reach.
+void check_drawn_angles(const Assembly& assembly) {
+  for (const PlacedLimb& limb : placed_limbs(assembly))
+    for (const AssemblyJoint& joint : limb.of->joints)
+      if (joint.range && ((*joint.range)[0] > 0.0 || (*joint.range)[1] < 0.0))
+        throw InputError(fmt::format(
+            "joint \"{}\" of limb \"{}\" has the range [{}, {}], outside of which it is drawn, at "
+            "zero, and no pose is found in which the robot stands within all ranges; draw the limb "
+            "at an angle that the joint reaches, from which its range then counts",
+            joint.name, limb.name, (*joint.range)[0], (*joint.range)[1]));
+}
+
 void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
@@ -156,6 +169,7 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
   const double height = standing_height(assembly, file);
   const std::string body = assembly_xml(assembly, height);
   const std::optional<StandingPose> pose = find_standing_pose(body, file);
+  if (!pose) check_drawn_angles(assembly);
   const std::string standing =
       with_lines_in_section(body, file, "keyframe", {home_key(assembly, height, pose)});
   const ProposedParameters proposed = propose_parameters(standing, file);

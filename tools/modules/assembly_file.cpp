@@ -105,8 +105,9 @@ class AssemblyReader {
     if (const auto name = root_.text("name")) out_.name = *name;
     if (!is_plain_name(out_.name))
       refuse(root_, "name",
-             fmt::format("is \"{}\"; expected letters, digits, '_' and '-': name = \"puppy\"",
-                         out_.name));
+             fmt::format("is {}\"{}\"; expected letters, digits, '_' and '-': {}name = \"puppy\"",
+                         root_.has("name") ? "" : "missing, and the file's name is ", out_.name,
+                         root_.has("name") ? "" : "add "));
     servo_ = module_of(root_, "servo", ModuleKind::servo);
     if (second_of(root_, "torque", "stall", "continuous")) out_.torque = TorqueLimit::continuous;
     out_.torque_share = root_.number("torque_share").value_or(out_.torque_share);
@@ -189,9 +190,11 @@ class AssemblyReader {
   void read_limb(const toml::table* toml) {
     TaskTable in = table(toml, "limb");
     AssemblyLimb limb;
+    limb_lines_.push_back(static_cast<int>(toml->source().begin.line));
     const auto hip = in.numbers("hip");
     in.require(hip.has_value(), "hip", "hip = [0.1, 0.06, 0.0]");
     if (hip) limb.hip = vector_of(*hip);
+    if (!hip) unplaced_.insert(out_.limbs.size());
     read_copies(in, limb);
     if (const auto mirror = in.text("mirror")) {
       limb.mirrored = *mirror == "y";
@@ -226,6 +229,7 @@ class AssemblyReader {
     const auto step = in.numbers("step");
     in.require(step.has_value() || copies == 1, "step", "step = [-0.2, 0.0, 0.0]");
     if (step) limb.step = vector_of(*step);
+    if (!step && copies > 1) unplaced_.insert(out_.limbs.size());
     if (step && copies > 1 && limb.step.norm() < kSameHip) {
       refuse(in, "step",
              "has no length, which puts all copies in one place; expected the way from one hip "
@@ -251,42 +255,51 @@ class AssemblyReader {
     for (const std::string& name : limb.names) {
       if (!is_plain_name(name))
         refuse(in, key, fmt::format("has \"{}\"; expected letters, digits, '_' and '-'", name));
-      if (!limb_names_.insert(name).second)
-        refuse(in, key, fmt::format("has \"{}\" a second time; give each limb its own name", name));
+      if (limb_names_.insert(name).second) continue;
+      refuse(in, key, fmt::format("has \"{}\" a second time; give each limb its own name", name));
+      name_twice_ = true;
     }
   }
 
   /// Of mirror images L or R stands behind the name, which another limb may have by itself.
   void check_placed_names() {
+    if (name_twice_) return;  // else all that is named after them is told too
     std::set<std::string> names;
     bool twice = false;
     for (const PlacedLimb& limb : placed_limbs(out_)) {
       if (names.insert(limb.name).second) continue;
       twice = true;
-      refuse(root_, "limb",
-             fmt::format("makes \"{}\" a second time, once of a mirror image; give each limb its "
-                         "own name",
-                         limb.name));
+      problems_.add(limb_lines_[index_of(limb)], "limb",
+                    fmt::format("makes \"{}\" a second time, once of a mirror image; give each "
+                                "limb its own name",
+                                limb.name));
     }
-    if (twice) return;  // else all that is named after them is told too
+    if (twice) return;
     for (const NameClash& clash : name_clashes(out_))
       refuse(root_, "limb",
              fmt::format("would name {} and {} alike, \"{}\"; give one of them another name",
                          clash.first, clash.second, clash.name));
   }
 
+  std::size_t index_of(const PlacedLimb& limb) const {
+    return static_cast<std::size_t>(limb.of - out_.limbs.data());
+  }
+
+  /// Of limbs whose places were read; those that a refused number leaves out are told already, and
+  /// so are those of one name.
   void check_places() {
     const std::vector<PlacedLimb> limbs = placed_limbs(out_);
     for (std::size_t b = 0; b < limbs.size(); ++b)
       for (std::size_t a = 0; a < b; ++a) {
-        const auto index = static_cast<std::size_t>(limbs[b].of - out_.limbs.data());
-        if ((limbs[a].hip - limbs[b].hip).norm() >= kSameHip ||
-            (limbs[a].of == limbs[b].of && one_place_told_.contains(index)))
+        if ((limbs[a].hip - limbs[b].hip).norm() >= kSameHip || limbs[a].name == limbs[b].name ||
+            (limbs[a].of == limbs[b].of && one_place_told_.contains(index_of(limbs[b]))) ||
+            unplaced_.contains(index_of(limbs[a])) || unplaced_.contains(index_of(limbs[b])))
           continue;
-        refuse(root_, "limb",
-               fmt::format("puts the hips of \"{}\" and \"{}\" in one place, [{}]; move one aside "
-                           "by hip or step",
-                           limbs[a].name, limbs[b].name, fmt::join(limbs[b].hip, ", ")));
+        problems_.add(
+            limb_lines_[index_of(limbs[b])], "limb",
+            fmt::format("puts the hips of \"{}\" and \"{}\" in one place, [{}]; move one aside "
+                        "by hip or step",
+                        limbs[a].name, limbs[b].name, fmt::join(limbs[b].hip, ", ")));
       }
   }
 
@@ -323,7 +336,7 @@ class AssemblyReader {
     const bool turned = read_servo(in, joint);
     joint.roll = in.number("roll").value_or(0.0);
     joint.range = angle_range_in(in, "range", problems_);
-    if (turned) read_linear_pivots(in, problems_, first, joint);
+    if (turned && (first || offset)) read_linear_pivots(in, problems_, first, joint);
     if (joint.is_linear() && out_.print)
       refuse(in, "servo",
              fmt::format("names {}, a linear actuator, beside [print]: the links at one are not "
@@ -351,7 +364,10 @@ class AssemblyReader {
   Assembly out_;
   const Module* servo_ = nullptr;  // of joints without their own
   std::set<std::string> limb_names_;
+  bool name_twice_ = false;
+  std::vector<int> limb_lines_;
   std::set<std::size_t> one_place_told_;  // limbs of which that is told already
+  std::set<std::size_t> unplaced_;        // limbs of which hip or step was not read
   TaskTable root_;
 };
 

@@ -99,8 +99,9 @@ std::vector<TaskKey> keys_of_limbs() {
                   "Of a linear actuator: its body's pivot on the link above, from the joint."),
       numbers_key("limb.joint.range", kAngleRangeOfJoint, 2, "the servo's, the stroke's",
                   "[-1.5, 1.5]",
-                  "Least and largest angle; zero is as the vectors say. Of a linear actuator's "
-                  "joint what its stroke allows, or less."),
+                  "Least and largest angle; zero is as the vectors say. Without zero, as of a knee "
+                  "that does not stretch, the robot stands in a pose that is searched for. Of a "
+                  "linear actuator's joint what its stroke allows, or less."),
       number_key(
           "limb.joint.roll", {-7.0, 7.0, false, false, "rad"}, "0", "1.5708",
           "Turns the servo's body about its axis; at 0 it lies towards the joint above. A linear "

@@ -9,6 +9,8 @@
 #include <set>
 
 #include "mjcf/text/nearest_word.hpp"
+#include "tools/modules/doubtful_module.hpp"
+#include "tools/modules/figure_check.hpp"
 #include "tools/modules/module_figures.hpp"
 #include "tools/modules/slide_table.hpp"
 #include "tools/modules/table_values.hpp"
@@ -59,8 +61,9 @@ class ModuleReader {
     for (const toml::table* assumption : root_.tables("assumption")) read_assumption(assumption);
     out_.unknown = figures(root_, "unknown");
     root_.finish();
-    check_figures();
+    check_figures(out_, given_, kind_known_, lines_, problems_);
     problems_.throw_if_any();
+    out_.doubts = doubts_on_module(out_.module, toml_, out_.file);
     return std::move(out_);
   }
 
@@ -118,8 +121,8 @@ class ModuleReader {
     module.mass = mass.value_or(1.0);
     module.voltage = root_.number("voltage");
     module.price = root_.number("price");
-    note("mass", mass.has_value());
-    note("voltage", module.voltage.has_value());
+    note("mass", root_.has("mass"));
+    note("voltage", root_.has("voltage"));
   }
 
   bool is_a(ModuleKind kind) const { return kind_known_ && out_.module.kind == kind; }
@@ -154,7 +157,7 @@ class ModuleReader {
       in.finish();
       out_.module.outline.push_back(shape);
     }
-    note("outline", !tables.empty());
+    note("outline", root_.has("outline"));
   }
 
   void read_joint() {
@@ -185,6 +188,13 @@ class ModuleReader {
     joint.kp = in.number("kp");
     joint.kd = in.number("kd");
     joint.range = angle_range_in(in, "range", problems_);
+    if (joint.range && ((*joint.range)[0] > 0.0 || (*joint.range)[1] < 0.0))
+      problems_.add(in.line_of("range"), "joint.range",
+                    fmt::format("is [{}, {}], without zero, from which its angles count; expected "
+                                "a range about the middle, as [{:.4g}, {:.4g}]",
+                                (*joint.range)[0], (*joint.range)[1],
+                                -0.5 * ((*joint.range)[1] - (*joint.range)[0]),
+                                0.5 * ((*joint.range)[1] - (*joint.range)[0])));
     if (stall && joint.continuous_torque && *joint.continuous_torque > *stall)
       problems_.add(in.line_of("continuous_torque"), "joint.continuous_torque",
                     fmt::format("is {}, above the stall torque of {}; expected no more",
@@ -241,7 +251,7 @@ class ModuleReader {
           fmt::format("is for feet, and this is a {}; take it out", out_.module.kind_name()));
     TaskTable in = table(toml, "foot");
     out_.module.friction = in.number("friction");
-    note("foot.friction", out_.module.friction.has_value());
+    note("foot.friction", in.has("friction"));
     in.finish();
   }
 
@@ -252,6 +262,12 @@ class ModuleReader {
     if (!at.name.empty() && !is_plain_name(at.name, "."))
       problems_.add(in.line_of("name"), "attachment.name",
                     fmt::format("is \"{}\"; expected letters, digits, '_', '-' and '.'", at.name));
+    if (std::any_of(out_.module.attachments.begin(), out_.module.attachments.end(),
+                    [&](const Attachment& other) { return other.name == at.name; }) &&
+        !at.name.empty())
+      problems_.add(
+          in.line_of("name"), "attachment.name",
+          fmt::format("is \"{}\" a second time; give each attachment its own name", at.name));
     at.on_horn = read_on(in, {"body", "horn", "rod"}) > 0;
     const auto position = in.numbers("position");
     in.require(position.has_value(), "position", "position = [0.0, 0.0, -0.017]");
@@ -259,10 +275,8 @@ class ModuleReader {
     in.require(in.has("normal"), "normal", "normal = [0, 0, -1]");
     at.normal = direction_in(in, "normal", problems_).value_or(Vector3d::UnitZ());
     at.screws = in.text("screws").value_or("");
-    if (!at.screws.empty()) {
-      note("attachment.screws", true);
-      choice(in, "screws", at.screws, kScrewSizes);
-    }
+    if (in.has("screws")) note("attachment.screws", true);
+    if (!at.screws.empty()) choice(in, "screws", at.screws, kScrewSizes);
     read_holes(in, at);
     in.finish();
     out_.module.attachments.push_back(at);
@@ -271,7 +285,7 @@ class ModuleReader {
   void read_cable() {
     Module& module = out_.module;
     module.cable = root_.names("cable").value_or(std::vector<std::string>{});
-    note("cable", !module.cable.empty());
+    note("cable", root_.has("cable"));
     std::vector<std::string> sides;
     for (const Attachment& at : module.attachments)
       if (!at.on_horn) sides.push_back(at.name);
@@ -332,44 +346,6 @@ class ModuleReader {
 
   void note(std::string_view figure, bool given) {
     if (given) given_.insert(std::string(figure));
-  }
-
-  bool told(const std::string& figure) const {
-    const auto names = [&](const auto& entry) {
-      return std::find(entry.figures.begin(), entry.figures.end(), figure) != entry.figures.end();
-    };
-    return std::any_of(out_.sources.begin(), out_.sources.end(), names) ||
-           std::any_of(out_.assumptions.begin(), out_.assumptions.end(), names);
-  }
-
-  /// A figure is given with a source or an assumption, or it is unknown.
-  void check_figures() {
-    for (const std::string_view listed : module_figures()) {
-      const std::string figure(listed);
-      const bool given = given_.contains(figure);
-      const bool unknown =
-          std::find(out_.unknown.begin(), out_.unknown.end(), figure) != out_.unknown.end();
-      if (given && !told(figure))
-        problems_.add(line_of(figure), figure,
-                      "has no source; name it in the figures of a [[source]], or of an "
-                      "[[assumption]] that says why it is so");
-      if (!given && told(figure))
-        problems_.add(0, figure,
-                      "is named by a source or an assumption and is not given; give it, or take "
-                      "its name out");
-      if (given && unknown)
-        problems_.add(line_of("unknown"), "unknown",
-                      fmt::format("names \"{}\", which is given; take the name out", figure));
-      if (!given && !unknown && kind_known_ && is_asked_for(out_.module.kind, listed))
-        problems_.add_missing(0, figure,
-                              "is neither given nor said to be unknown; give it with its source, "
-                              "or name it in unknown = [...]");
-    }
-  }
-
-  int line_of(const std::string& key) const {
-    const auto found = lines_.find(key);
-    return found == lines_.end() ? 0 : found->second;
   }
 
   toml::table toml_;

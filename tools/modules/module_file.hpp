@@ -29,6 +29,7 @@ struct ModuleFile {
   std::vector<FigureSource> sources;
   std::vector<FigureAssumption> assumptions;
   std::vector<std::string> unknown;  // keys whose figures no source gives
+  std::vector<std::string> doubts;   // what is hardly meant, with file, line and key
 
   /// How many sources give the figure of a key.
   std::size_t source_count(const std::string& figure) const;

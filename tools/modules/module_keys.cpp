@@ -66,13 +66,14 @@ std::vector<TaskKey> keys_of_the_joint() {
       number_key("joint.damping", {0.0, 100.0, false, false, "N m s/rad"}, "none", "0.02",
                  "Viscous friction at the output."),
       numbers_key("joint.range", kAngleRangeOfJoint, 2, "no limit", "[-2.618, 2.618]",
-                  "Least and largest angle, zero between them."),
+                  "Least and largest angle, zero between them or one of them."),
       number_key("joint.kp", {0.0, 1e6, true, false, "N m/rad"}, "torque limit / 0.0375 rad",
                  "40.0", "Advice for its gain."),
       number_key("joint.kd", {0.0, 1e5, true, false, "N m s/rad"}, "0.015 s times the gain", "0.6",
                  "Advice for its damping gain."),
       number_key("foot.friction", {0.0, 5.0, true, false, ""}, "0.8", "0.9",
-                 "Of sliding on the floor."),
+                 "Of sliding, in the robot's file. In scenes of Legwright the floor's holds: "
+                 "`limits.floor_friction` of a task."),
   };
 }
 
@@ -139,7 +140,7 @@ std::vector<TaskKey> keys_of_attachments_and_sources() {
                   "Where single ones are, in the attachment's plane: three numbers each."),
       names_key("cable", "none", "[\"left\", \"right\"]",
                 "Names of attachments on the body at which cables leave: printed parts have a slot "
-                "there."),
+                "there. A figure: a source or an assumption names it."),
       tables_key("source", "none",
                  "[{title = \"data sheet\", address = \"https://…\", figures = [\"mass\"]}]",
                  "`[[source]]`, once for each page or data sheet that figures are from. A figure "

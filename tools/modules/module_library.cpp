@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "mjcf/text/input_error.hpp"
@@ -26,6 +27,19 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// Whether a file without a kind is evidently an assembly, a task or a study, which may lie beside
+/// modules.
+bool is_of_a_robot(const toml::table& toml) {
+  const auto table = [&](const char* key) { return toml[key].is_table(); };
+  return toml["limb"].is_array() || table("trunk") || toml.contains("robot") || table("gait") ||
+         (table("base") && table("grid"));
+}
+
+int line_of_name(const toml::table& toml) {
+  const toml::node* name = toml.get("name");
+  return name ? static_cast<int>(name->source().begin.line) : 0;
+}
+
 }  // namespace
 
 ModuleLibrary::ModuleLibrary(const std::vector<fs::path>& folders) {
@@ -42,28 +56,30 @@ void ModuleLibrary::read_folder(const fs::path& folder) {
   std::set<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".toml") files.insert(entry.path());
-  if (files.empty())
-    throw IoError(folder.string() +
-                  ": holds no module (*.toml); `legwright modules --keys` tells "
-                  "what one says");
-  std::set<std::string> here;
+  std::map<std::string, fs::path> here;
   for (const fs::path& file : files) {
     const std::string text = read_file(file);
-    if (!parse_toml(text, file).contains("kind"))
+    const toml::table toml = parse_toml(text, file);
+    if (!toml.contains("kind") && is_of_a_robot(toml)) continue;
+    if (!toml.contains("kind"))
       throw InputError(file.string(), 0, "kind",
                        "is missing, so this is no module; take the file out of the folder, or "
                        "say what it is: kind = \"servo\"");
     ModuleFile read = parse_module(text, file);
     const std::string& name = read.module.name;
-    if (!here.insert(lower(name)).second)
-      throw InputError(file.string(), 0, "name",
-                       fmt::format("is \"{}\", as of another module of this folder; give it a "
-                                   "name of its own",
-                                   name));
+    const auto [twin, first] = here.emplace(lower(name), file);
+    if (!first)
+      throw InputError(file.string(), line_of_name(toml), "name",
+                       fmt::format("is \"{}\", which {} has, too; give one of them another name",
+                                   name, twin->second.string()));
     std::erase_if(modules_,
                   [&](const ModuleFile& other) { return lower(other.module.name) == lower(name); });
     modules_.push_back(std::move(read));
   }
+  if (here.empty())
+    throw IoError(folder.string() +
+                  ": holds no module (*.toml); `legwright modules --keys` tells "
+                  "what one says");
 }
 
 const ModuleFile* ModuleLibrary::find_or_null(const std::string& name) const {

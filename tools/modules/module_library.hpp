@@ -13,8 +13,9 @@ namespace legwright {
 class ModuleLibrary {
  public:
   /// Reads every `*.toml` of each folder, in the order of their names. A module of a later folder
-  /// takes the place of one of the same name. Throws InputError for a file that is no module or two
-  /// of one name in one folder, IoError for a folder that is not there or holds none.
+  /// takes the place of one of the same name. Assemblies, tasks and studies, which have no `kind`,
+  /// are passed over. Throws InputError for another file that is no module or two of one name in
+  /// one folder, IoError for a folder that is not there or holds none.
   explicit ModuleLibrary(const std::vector<std::filesystem::path>& folders);
 
   /// Sorted by kind, then by name.

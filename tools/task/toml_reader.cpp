@@ -37,12 +37,21 @@ bool inside(double value, const Range& range) {
          (range.high_open ? value < range.high : value <= range.high);
 }
 
-/// Of an angle outside of its range that would be within if it were meant in degrees.
-std::string degrees_text(double value, const Range& range) {
-  const double angle = value * std::numbers::pi / 180.0;
-  if (!range.unit.starts_with("rad") || !std::isfinite(value) || !inside(angle, range)) return "";
-  return fmt::format("; {} degrees{} are {:.4g} {}", value, range.unit.substr(3), angle,
-                     range.unit);
+constexpr double kSomeCentimetres = 30.0;  // above, lengths are rather given in millimetres
+
+/// Of a number outside of its range that would be within in the unit that is probably meant:
+/// degrees, millimetres, grams.
+std::string other_unit_text(double value, const Range& range) {
+  const bool angle = range.unit.starts_with("rad"), length = range.unit == "m";
+  if ((!angle && !length && range.unit != "kg") || !std::isfinite(value)) return "";
+  const double meant = angle ? value * std::numbers::pi / 180.0 : 1e-3 * value;
+  if (!inside(meant, range)) return "";
+  const std::string unit =
+      angle ? fmt::format("degrees{}", range.unit.substr(3)) : (length ? "mm" : "g");
+  const bool maybe_cm = length && std::abs(value) < kSomeCentimetres && inside(10.0 * meant, range);
+  return fmt::format("; {}{} {} are {:.4g} {}",
+                     maybe_cm ? fmt::format("{} cm are {:.4g} m, ", value, 10.0 * meant) : "",
+                     value, unit, meant, range.unit);
 }
 
 int line(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
@@ -110,7 +119,7 @@ std::optional<double> TableReader::checked(const toml::node& found, const std::s
   if (!std::isfinite(*value) || !inside(*value, range)) {
     problems_.add(
         line(found), name,
-        fmt::format("is {}; expected {}{}", *value, expected, degrees_text(*value, range)));
+        fmt::format("is {}; expected {}{}", *value, expected, other_unit_text(*value, range)));
     return std::nullopt;
   }
   return value;
@@ -338,9 +347,17 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) {
       if (entry.is_table()) result.push_back(entry.as_table());
   if (!found->is_array() || found->as_array()->empty() ||
       result.size() != found->as_array()->size()) {
-    problems_.add(line(*found), full(key),
-                  fmt::format("is {}; expected tables that start with [[{}]] each",
-                              type_name(*found), full(key)));
+    const toml::array* array = found->as_array();
+    const std::string name = full(key);
+    problems_.add(
+        line(*found), name,
+        array && array->empty()
+            ? fmt::format("is empty; expected one table at least: [[{}]], or {} = [{{…}}]", name,
+                          key)
+            : fmt::format(
+                  "is {}; expected tables that start with [[{}]] each",
+                  array ? "an array that holds something else than tables" : type_name(*found),
+                  name));
     result.clear();
   }
   return result;

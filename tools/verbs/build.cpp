@@ -9,6 +9,7 @@
 #include "tools/files/clean_text.hpp"
 #include "tools/files/new_files.hpp"
 #include "tools/modules/assembly_file.hpp"
+#include "tools/modules/doubtful_assembly.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_text.hpp"
 #include "tools/verbs/key_words.hpp"
@@ -78,7 +79,8 @@ BuiltRobot robot_of(const Assembly& assembly, const BuildOptions& options) {
   }
 }
 
-Json to_json(const BuiltRobot& built, const BuildOptions& options) {
+Json to_json(const BuiltRobot& built, const std::vector<std::string>& warnings,
+             const BuildOptions& options) {
   const Morphology& morphology = built.found.model.morphology;
   Json declared = Json::array();
   for (const DesignParameter& parameter : built.found.model.space.parameters)
@@ -92,6 +94,7 @@ Json to_json(const BuiltRobot& built, const BuildOptions& options) {
           {"declared", declared},
           {"left_out", built.found.left_out},
           {"standing_pose", built.pose.empty() ? Json(nullptr) : Json(built.pose)},
+          {"warnings", warnings},
           {"notes", built.notes},
           {"written", options.output},
           {"task", options.task.empty() ? Json(nullptr) : Json(options.task)}};
@@ -109,7 +112,10 @@ int build(const BuildOptions& options) {
     throw InputError("--gait is for the task file that --task FILE writes; give both");
   check_places(options);
   const ModuleLibrary library = library_with(options.library);
-  const Assembly assembly = parse_assembly(read_file(options.assembly), options.assembly, library);
+  const std::string read = read_file(options.assembly);
+  const Assembly assembly = parse_assembly(read, options.assembly, library);
+  const std::vector<std::string> warnings =
+      doubts_on_assembly(assembly, read, options.assembly, library);
   const BuiltRobot built = robot_of(assembly, options);
   const auto [task, words] = options.task.empty() ? std::pair<std::string, std::string>{}
                                                   : first_task_of(options, built.found.model);
@@ -117,10 +123,11 @@ int build(const BuildOptions& options) {
   if (!task.empty()) files.push_back({options.task, task});
   write_new_files(files);
   if (options.json) {
-    fmt::print("{}", to_text(to_json(built, options)));
+    fmt::print("{}", to_text(to_json(built, warnings, options)));
     return kOk;
   }
   std::string text;
+  for (const std::string& warning : warnings) text += "warning  " + warning + "\n";
   for (const std::string& note : built.notes) text += "note     " + note + "\n";
   if (!built.pose.empty()) text += "stands   " + built.pose + "\n";
   text += robot_summary(built.found);

@@ -274,7 +274,8 @@ Json to_json(const ModuleFile& file) {
           {"cable", module.cable},
           {"sources", sources},
           {"assumptions", assumptions},
-          {"unknown", file.unknown}};
+          {"unknown", file.unknown},
+          {"warnings", file.doubts}};
 }
 
 }  // namespace legwright

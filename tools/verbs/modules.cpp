@@ -76,6 +76,8 @@ int modules(const ModulesOptions& options) {
   else
     fmt::print("{}\n`legwright modules NAME` tells where each figure is from.\n",
                terminal_text(module_table(chosen)));
+  for (const ModuleFile& file : chosen)
+    for (const std::string& doubt : file.doubts) fmt::print("warning  {}\n", terminal_text(doubt));
   for (const std::string& png : drawn) fmt::print("drawn    {}\n", terminal_text(png));
   return kOk;
 }

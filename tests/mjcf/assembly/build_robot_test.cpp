@@ -232,6 +232,26 @@ TEST(BuiltRobots, RefuseLimbsThatDoNotStand) {
   EXPECT_THROW((void)build_robot(assembly, "dog.xml"), InputError);
 }
 
+/// A range without zero is one of a limb that is never as it is drawn.
+TEST(BuiltRobots, StandWithinRangesWithoutZeroOrSayWhyNot) {
+  Assembly dog = test::boxy_dog();
+  dog.limbs[0].joints[1].range = {-2.0, -0.3};
+  EXPECT_NE(build_robot(dog, "dog.xml").pose, "") << "knees that do not stretch are bent";
+  dog.limbs[0].joints[0].range = {1.5, 1.6};
+  dog.limbs[0].joints[1].range = {1.5, 1.6};
+  try {
+    (void)build_robot(dog, "dog.xml");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(
+        told.find("joint \"hip\" of limb \"FL\" has the range [1.5, 1.6], outside of which it "
+                  "is drawn, at zero, and no pose is found"),
+        std::string::npos)
+        << told;
+  }
+}
+
 TEST(PlacedLimbs, AreNamedLeftBeforeRight) {
   Assembly assembly = boxy_dog();
   assembly.limbs[0].hip.y() = -0.07;  // the right one is drawn

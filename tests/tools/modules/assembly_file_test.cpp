@@ -175,7 +175,8 @@ TEST(AssemblyFile, OffersTheNearestModule) {
 TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
   expect_complaint(assembly_with("[\"F\", \"H\"]", "[\"F\"]"),
                    "limb.names: has 1 names for 2 limbs");
-  expect_complaint(assembly_with("[\"F\", \"H\"]", "[\"F\", \"F\"]"), "a second time");
+  expect_complaint(assembly_with("[\"F\", \"H\"]", "[\"F\", \"F\"]"),
+                   "limb.names: has \"F\" a second time");
   expect_complaint(assembly_with("hip = [0.09, 0.07, 0.0]", "hip = [0.09, 0.0, 0.0]"),
                    "limb.mirror: leaves the hip where it is");
   expect_complaint(assembly_with("mirror = \"y\"", "mirror = \"x\""), "expected \"y\"");
@@ -194,7 +195,7 @@ TEST(AssemblyFile, RefusesLimbsThatDoNotFit) {
   std::string twins = kWholeAssembly.substr(kWholeAssembly.find("[[limb]]"));
   twins.replace(twins.find("[\"F\", \"H\"]"), 10, "[\"FL\", \"HX\"]");
   twins.erase(twins.find("mirror = \"y\"\n"), 13);
-  expect_complaint(kWholeAssembly + twins, "limb: makes \"FL\" a second time");
+  expect_complaint(kWholeAssembly + twins, "dog.toml:40: limb: makes \"FL\" a second time");
   expect_complaint(assembly_with("name = \"dog\"", "name = \"a dog\""), "expected letters");
   expect_complaint(assembly_with("foot_offset = [0.0, 0.0, -0.09]", "foot_offset = [0, 0, 0]"),
                    "limb.foot_offset: has no length");
@@ -233,6 +234,43 @@ TEST(AssemblyFile, RefusesHipsInOnePlace) {
                    "puts the hips of \"FR\" and \"HR\" in one place, [0.09, -0.07, 0]");
   expect_complaint(with_second_limb("[\"A\", \"B\"]", "[0.09, 0.07, 0.0]"),
                    "puts the hips of \"FL\" and \"AL\" in one place");
+}
+
+/// A fault is told where it is, and not what follows from it.
+TEST(AssemblyFile, TellsNothingThatFollowsFromWhatIsRefused) {
+  const auto told_once = [](const std::string& text, const std::string& fault, int lines) {
+    const std::string told = complaint_about(text);
+    EXPECT_NE(told.find(fault), std::string::npos) << told;
+    EXPECT_EQ(count_of("dog.toml:", told), lines) << told;
+  };
+  told_once(assembly_with("hip = [0.09, 0.07, 0.0]", "hip = [90, 0.07, 0.0]"),
+            "dog.toml:22: limb.hip: is 90; expected -5 <= hip <= 5 m; 90 mm are 0.09 m", 1);
+  told_once(assembly_with("step = [-0.18, 0.0, 0.0]\n", ""), "limb.step: is missing", 1);
+  told_once(assembly_with("step = [-0.18, 0.0, 0.0]", "step = [-180, 0.0, 0.0]"),
+            "limb.step: is -180; expected -5 <= step <= 5 m; -180 mm are -0.18 m", 1);
+  told_once(assembly_with("[\"F\", \"H\"]", "[\"F\", \"F\"]"),
+            "dog.toml:21: limb.names: has \"F\" a second time", 1);
+  told_once(kWholeAssembly + kWholeAssembly.substr(kWholeAssembly.find("[[limb]]")),
+            "dog.toml:42: limb.names: has \"H\" a second time", 2);
+  std::string empty = kWholeAssembly.substr(0, kWholeAssembly.find("[[limb.joint]]"));
+  told_once(empty + "joint = []\n",
+            "limb.joint: is empty; expected one table at least: [[limb.joint]], or joint = [{…}]",
+            1);
+}
+
+TEST(AssemblyFile, TakesItsNameFromTheFile) {
+  const std::string text = assembly_with("name = \"dog\"\n", "");
+  EXPECT_EQ(parse_assembly(text, "puppy.toml", installed()).name, "puppy");
+  try {
+    (void)parse_assembly(text, "mein röbot.toml", installed());
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    EXPECT_NE(told.find("name: is missing, and the file's name is \"mein röbot\"; expected "
+                        "letters, digits, '_' and '-': add name = \"puppy\""),
+              std::string::npos)
+        << told;
+  }
 }
 
 TEST(AssemblyFile, RefusesNamesThatMeetInTheRobot) {

@@ -110,6 +110,33 @@ TEST(ModuleFile, AFigureHasASourceOrAnAssumption) {
                  {"joint.position", "has no source"});
   expect_refusal(servo_with("friction = 0.02\n", ""),
                  {"joint.friction", "is named by a source or an assumption and is not given"});
+  for (const char* mass : {"\"55 g\"", "550", "nan"}) {
+    const std::string told = refusal(servo_with("0.055", mass));
+    EXPECT_NE(told.find("mass: is "), std::string::npos) << told;
+    EXPECT_EQ(told.find("is not given"), std::string::npos) << "it is, and refused\n" << told;
+  }
+}
+
+TEST(ModuleFile, TellsTheUnitThatWasMeant) {
+  expect_refusal(servo_with("0.055", "550"), {"expected 0 < mass <= 100 kg; 550 g are 0.55 kg"});
+  expect_refusal(servo_with("[0.02, 0.04, 0.036]", "[20, 0.04, 0.036]"),
+                 {"outline.size: is 20", "; 20 cm are 0.2 m, 20 mm are 0.02 m"});
+  EXPECT_EQ(refusal(servo_with("0.055", "-550")).find(" g are"), std::string::npos);
+}
+
+TEST(ModuleFile, TheRangeOfAServoHasZeroWithin) {
+  for (const char* range : {"[0.5, 3.5]", "[-3.5, -0.5]"})
+    expect_refusal(servo_with("[-1.5, 1.5]", range),
+                   {"hs1.toml:23: joint.range: is " + std::string(range) + ", without zero",
+                    "as [-1.5, 1.5]"});
+  EXPECT_EQ(refusal(servo_with("[-1.5, 1.5]", "[0, 3]")), "");
+}
+
+TEST(ModuleFile, AttachmentsHaveNamesOfTheirOwn) {
+  const std::string twin =
+      "\n[[attachment]]\nname = \"horn\"\nposition = [0, 0, -0.018]\nnormal = [0, 0, -1]\n";
+  expect_refusal(kWholeServo + twin,
+                 {"hs1.toml:50: attachment.name: is \"horn\" a second time; give each"});
 }
 
 TEST(ModuleFile, WhatAServoMayHaveIsGivenOrSaidToBeUnknown) {

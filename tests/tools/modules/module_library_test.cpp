@@ -93,7 +93,28 @@ TEST(ModuleLibrary, TeachesWhereThereIsNone) {
   write_file(folder.path() / "a.toml", test::kWholeServo);
   EXPECT_NO_THROW(ModuleLibrary({folder.path()}));
   write_file(folder.path() / "b.toml", test::kWholeServo);
-  EXPECT_THROW(ModuleLibrary({folder.path()}), InputError) << "two of one name";
+  try {
+    ModuleLibrary({folder.path()});
+    FAIL() << "two of one name";
+  } catch (const InputError& error) {
+    const std::string told = error.what();
+    const std::string other = (folder.path() / "a.toml").string();
+    EXPECT_NE(told.find("b.toml:1: name: is \"HS-1\", which " + other + " has, too"),
+              std::string::npos)
+        << told;
+  }
+}
+
+TEST(ModuleLibrary, PassesOverRobotsThatLieBesideModules) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "dog.toml", "servo = \"HS-1\"\n[trunk]\nmass = 1.0\n");
+  EXPECT_THROW(ModuleLibrary({folder.path()}), IoError) << "no module";
+  write_file(folder.path() / "hs1.toml", test::kWholeServo);
+  write_file(folder.path() / "legs.toml", "[[limb]]\nname = \"F\"\n");
+  write_file(folder.path() / "walk.toml", "robot = \"dog.xml\"\n");
+  write_file(folder.path() / "trot.toml", "[gait]\nname = \"trot\"\n");
+  write_file(folder.path() / "study.toml", "[base]\ngait.name = \"trot\"\n[grid]\na = [1]\n");
+  EXPECT_EQ(ModuleLibrary({folder.path()}).names(), std::vector<std::string>{"HS-1"});
 }
 
 TEST(ModuleLibrary, NamesAFileThatIsNoModuleInOneLine) {
