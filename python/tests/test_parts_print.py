@@ -14,6 +14,7 @@ from legwright.parts import __main__ as command
 from legwright.parts._fit import Distances, free_range, things_of
 from legwright.parts._printing import _directions, best_lying, lying_on
 from legwright.parts._robot import home_of, read_built
+from legwright.parts._solids import solid_of
 from manifold3d import Manifold
 
 TABLE = Manifold.cube((40, 20, 4)).translate((0, 0, 16)) + Manifold.cube((4, 20, 16))
@@ -56,6 +57,19 @@ def test_overhang_and_support_are_those_of_a_table_on_one_leg():
     assert best.overhang == 0 and best.down[2] == pytest.approx(1), 'on its top'
     assert best.contact == pytest.approx(40 * 20)
     assert np.allclose(best.turn @ best.turn.T, np.eye(3)) and np.linalg.det(best.turn) > 0
+
+
+def test_what_touches_little_for_its_height_comes_last(built):
+    """Of the hexapod's tibia, which has less overhang on a slanted side of 199 mm2."""
+    robot = read_built(built('hexapod'))
+    link = next(each for each in robot.links if each.name == 'FL_tibia_link')
+    shape = solid_of(robot, link, 0.15, 1.2).shape
+    best = best_lying(shape)
+    assert best.is_firm and best.contact > 400 and best.contact >= 0.5 * best.size[2] ** 2
+    others = [lying_on(shape, down) for down in _directions(shape)]
+    assert any(e.overhang < best.overhang and 150 < e.contact < 250 for e in others)
+    post = Manifold.cube((4, 4, 30)) + Manifold.sphere(9, 32).translate((2, 2, 30))
+    assert not lying_on(post, np.array([0.0, 0.0, -1.0])).is_firm
 
 
 def test_a_part_fits_a_bed_turned_by_a_quarter_but_not_one_that_is_too_low():

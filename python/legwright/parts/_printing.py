@@ -15,6 +15,7 @@ _ON_THE_BED = 0.02  # [mm] above the lowest point
 _ONE_FACE = 1e-3  # of normals that are one direction
 _MOST_FACES = 40  # directions that are tried, by area
 _LEAST_CONTACT = 0.05  # of its box: what touches less of the bed comes loose
+_FIRM = 0.5  # of the square of its height: what touches less tips when the nozzle pushes
 _LOW = 0.5  # of the length: so high a part lies, higher ones stand
 _SUPPORT_FILL = 0.15  # of the room below an overhang
 _LAYER = 0.2  # [mm]
@@ -43,6 +44,12 @@ class Lying:
     def down(self) -> Array:
         """The direction of the link that looks down."""
         return -self.turn[2]
+
+    @property
+    def is_firm(self) -> bool:
+        """Whether it touches so much of the bed that it neither comes loose nor tips."""
+        least = max(_LEAST_CONTACT * self.size[0] * self.size[1], _FIRM * self.size[2] ** 2)
+        return bool(self.contact >= least)
 
     def fits(self, bed: Sequence[float]) -> bool:
         """Whether the box fits the bed, turned by a quarter if need be."""
@@ -127,16 +134,16 @@ def lying_on(shape: Manifold, down: Array) -> Lying:
 
 
 def best_lying(shape: Manifold) -> Lying:
-    """Of the flat sides of its hull on which a solid can lie, the one with the least overhang.
+    """Of the flat sides of its hull on which a solid stands firm, the one with the least overhang.
 
-    Those come first on which it is at most half as high as long, as layers that run along a part
-    bear more. Of equal ones the one that touches most of the bed; where none touches as much as a
-    twentieth of its box, the one that touches most.
+    Firm is what touches at least a twentieth of its box, and half the square of its height. Those
+    come first on which it is at most half as high as long, as layers that run along a part bear
+    more. Of equal ones the one that touches most of the bed; where none is firm, the one that
+    touches most by the square of its height.
     """
     found = [lying_on(shape, down) for down in _directions(shape)]
-    steady = [e for e in found if e.contact >= _LEAST_CONTACT * e.size[0] * e.size[1]]
-    if not steady:
-        return max(found, key=lambda each: each.contact)
-    low = [each for each in steady if each.size[2] <= _LOW * max(each.size[:2])]
-    steady = low or steady
-    return min(steady, key=lambda each: (round(each.overhang, 3), -round(each.contact, 3)))
+    firm = [each for each in found if each.is_firm]
+    if not firm:
+        return max(found, key=lambda each: round(each.contact / each.size[2] ** 2, 6))
+    low = [each for each in firm if each.size[2] <= _LOW * max(each.size[:2])]
+    return min(low or firm, key=lambda each: (round(each.overhang, 3), -round(each.contact, 3)))

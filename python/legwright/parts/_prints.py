@@ -13,9 +13,11 @@ from legwright.parts._tables import markdown
 _SKIRT = 5.0  # [mm] at each side: what a skirt or brim and the bed's clips may need
 _RULES = """
 Sizes are of the box of a part as its STL lies, which is how it is to be printed. Of the flat sides
-of its hull that side is down which leaves the least area looking down by more than 45°; sides on
-which the part would be higher than half its length come last, as layers across a part are where it
-breaks, and those that touch less than a twentieth of its box, from which it would come loose.
+of its hull on which it stands firm that side is down which leaves the least area looking down by
+more than 45°. Firm is what touches at least a twentieth of its box and half the square of its
+height; where none does, that side is down which touches most by the square of its height: such a
+part is better printed with a brim. Sides on which the part would be higher than half its length
+come last, as layers across a part are where it breaks.
 Wall is the least thickness that the checks found. Support is 15 % of the room between such areas
 and the bed. Time is volume and support by 8 mm³/s and 3 s for each layer of 0.2 mm: a rule to
 compare parts by, no slicer's figure. Mass is of part and support, filled, at the density that the
