@@ -2,16 +2,18 @@
 """Screw holes, and parts as beams, against what is known by hand."""
 
 import math
+from types import SimpleNamespace
 
 import mujoco
 import numpy as np
 import pytest
 from legwright import parts
 from legwright._motion import Motion
-from legwright.parts._beam import gait_loads
+from legwright.parts._beam import check_beams, gait_loads
 from legwright.parts._holes import Fixing, drilled, driver_way, holes_of
 from legwright.parts._robot import read_built
 from legwright.parts._sections import sections_of
+from legwright.parts._tables import check_lines
 from legwright.parts._words import Place
 from manifold3d import Manifold
 from test_parts import build
@@ -34,6 +36,20 @@ def test_a_flat_bar_is_stressed_as_a_beam_is():
     # Of a rectangle 11 by 3 (Roark): T / (0.277 a b^2); the ellipse is 8 % off.
     torsion = section.stress(none, np.array([0, 0, 1000.0])) / math.sqrt(3)
     assert torsion == pytest.approx(1000 / (0.277 * 11 * 3**2), rel=0.1)
+
+
+def test_links_that_reach_nothing_are_told_as_not_judged():
+    solid = SimpleNamespace(fixings=(), link=SimpleNamespace(servo=object()))
+    tray = SimpleNamespace(fixings=(), link=SimpleNamespace(servo=None))
+    pair = [SimpleNamespace(name=n, solid=s) for n, s in (('coxa', solid), ('trunk', tray))]
+    found = check_beams(SimpleNamespace(), pair, {1: []}, parts.PartOptions())
+    names = ['bears the gait, not judged', 'bears its servo, not judged']
+    assert [(c.part, c.name, c.figure) for c in found] == [('coxa', n, None) for n in names]
+    judged = parts.Check('shank', 'bears the gait', True, 3.0, 'times', 'at least 2')
+    (line, _) = check_lines([judged, *found])
+    assert line.endswith('1 of 1, 3 times, at least 2; 1 of 2 not judged: they do not reach their '
+                         'modules')
+    assert len(check_beams(SimpleNamespace(), pair, {}, parts.PartOptions())) == 1
 
 
 def test_a_hole_is_not_in_the_section():

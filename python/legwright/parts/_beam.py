@@ -224,6 +224,12 @@ def run_loads(robot: BuiltRobot, run: Path) -> dict[int, list[Load]]:
     return loads
 
 
+def _not_judged(part: Part, name: str) -> Check:
+    """Of a link that does not reach both its horn and what it carries, which fails by itself."""
+    where = 'it does not reach both its horn and what it carries: see "reaches"'
+    return Check(part.name, f'{name}, not judged', True, None, '', '', where)
+
+
 def check_beams(
     robot: BuiltRobot, parts: list[Part], loads: dict[int, list[Load]], options: PartOptions
 ) -> list[Check]:
@@ -232,6 +238,9 @@ def check_beams(
     for part in parts:
         sections = _beam(part.solid)
         if not sections:
+            if part.solid.link.servo:
+                names = ['bears the gait', 'bears its servo'] if loads else ['bears its servo']
+                out += [_not_judged(part, name) for name in names]
             continue
         if loads:
             out.append(_bears_gait(robot, part, sections, loads, options))

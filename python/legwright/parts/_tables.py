@@ -292,15 +292,19 @@ _TOGETHER = {
 }
 
 
+_UNJUDGED = ', not judged'
+
+
 def check_lines(checks: Sequence[Check]) -> list[str]:
     """What fails, with remedies; what passes in a line for each kind, with its worst part."""
     lines, seen = [], dict[str, list[Check]]()
     for check in checks:
         first = check.name.split()[0]
-        seen.setdefault(_TOGETHER.get(first, check.name), []).append(check)
+        name = check.name.removesuffix(_UNJUDGED)
+        seen.setdefault(_TOGETHER.get(first, name), []).append(check)
     for title, group in seen.items():
         failed = [check for check in group if not check.passed]
-        lines.append(f'{"FAIL" if failed else "PASS"}  {title:26} {_worst(group)}')
+        lines.append(f'{"FAIL" if failed else "PASS"}  {title:26} {_judged(group)}')
         for check in failed:
             where = f' ({check.where})' if check.where else ''
             of = f'{check.part}: ' if check.part else ''
@@ -314,6 +318,16 @@ def _figure(check: Check) -> str:
     if check.figure is None:
         return 'no'
     return f'{check.figure:.3g} {check.unit}'.rstrip()
+
+
+def _judged(group: Sequence[Check]) -> str:
+    """The worst of those that were judged, and how many were not."""
+    judged = [check for check in group if not check.name.endswith(_UNJUDGED)]
+    left = len(group) - len(judged)
+    if not left:
+        return _worst(group)
+    words = f'{left} of {len(group)} not judged: they do not reach their modules'
+    return f'{_worst(judged)}; {words}' if judged else words
 
 
 def _worst(group: Sequence[Check]) -> str:
