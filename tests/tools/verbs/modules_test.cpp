@@ -54,6 +54,47 @@ TEST(Modules, ReadsAFolderOfOnesOwn) {
   EXPECT_EQ(call({"modules", "--library", (folder.path() / "gone").string()}).code, 3);
 }
 
+/// Beside an assembly that is built of it, which the library passes over.
+TEST(Modules, AndRobotsOfThemTellFiguresThatAreHardlyMeant) {
+  const test::TemporaryFolder folder;
+  std::string servo = test::kWholeServo;
+  servo.replace(servo.find("stall_torque = 1.1"), 18, "stall_torque = 110");
+  write_file(folder.path() / "hs1.toml", servo);
+  const fs::path dog = folder.path() / "dog.toml";
+  write_file(dog, R"(servo = "HS-1"
+[trunk]
+size = [0.2, 0.09, 0.04]
+mass = 250
+[[limb]]
+names = ["F", "H"]
+hip = [0.09, 0.07, 0.0]
+step = [-0.18, 0.0, 0.0]
+copies = 2
+mirror = "y"
+foot = "ball_foot_12"
+foot_offset = [0.0, 0.0, -0.09]
+joint = [{ name = "hip", axis = [0, 1, 0] },
+         { name = "knee", axis = [0, 1, 0], offset = [0.0, 0.0, -0.09] }]
+)");
+  const std::string library = folder.path().string();
+  const std::string torque = "110 N cm are 1.1 N m", mass = "dog.toml:4: trunk.mass: is 250 kg";
+  EXPECT_TRUE(contains(call({"modules", "--library", library}).out, torque));
+  const auto build = [&](const char* name, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"build", dog.string(), "--library",
+                                   library, "-o",         (folder.path() / name).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome told = call(words);
+    EXPECT_EQ(told.code, 0) << told.err;
+    return told.out;
+  };
+  const std::string told = build("a.xml", {});
+  EXPECT_TRUE(contains(told, "warning  " + (folder.path() / "hs1.toml").string())) << told;
+  EXPECT_TRUE(contains(told, torque) && contains(told, mass)) << told;
+  const Json json = Json::parse(build("b.xml", {"--json"}));
+  ASSERT_EQ(json["warnings"].size(), 2u);
+  EXPECT_TRUE(contains(json["warnings"][1].get<std::string>(), mass)) << json["warnings"];
+}
+
 TEST(Modules, TellsItsKeys) {
   const Outcome told = call({"modules", "--keys"});
   EXPECT_EQ(told.code, 0);
