@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from legwright import parts
-from legwright.parts._mesh_files import mesh_of
+from legwright.parts._mesh_files import Mesh, mesh_of
 from legwright.parts._step_file import faces_of, step_bytes
 from manifold3d import Manifold
 
@@ -61,6 +61,19 @@ def test_a_plate_with_a_hole_has_six_sides_and_the_holes_facets():
     assert len(faces) == 22 and text.count('FACE_OUTER_BOUND') == 22
     assert volume_of(faces) == pytest.approx(PLATE.volume(), rel=1e-6)
     assert text.startswith('ISO-10303-21;') and text.endswith('END-ISO-10303-21;\n')
+
+
+def test_a_thin_triangle_that_leans_by_the_precision_of_files_is_of_its_side():
+    """0.005 mm wide, and 5e-5 mm off its plane: half a degree."""
+    box = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (20, 0), (20, 10), (0, 10))]
+    corners = np.array([*box, (10, 0.005, 4 - 5e-5)], dtype=np.float32)
+    sides = [(k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4) for k in range(4)]
+    quads = [(3, 2, 1, 0), *sides]
+    flat = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    top = [(k + 4, (k + 1) % 4 + 4, 8) for k in range(4)]
+    mesh = Mesh(corners, np.array(flat + top))
+    assert len(faces_of(mesh)) == 6
+    assert volume_of(read(step_bytes('box', mesh).decode())) == pytest.approx(800, rel=1e-5)
 
 
 @pytest.fixture(scope='module')
