@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 from legwright import parts
 from legwright.parts._assembly_sheet import _Sheet
-from legwright.parts._drawing import spread
+from legwright.parts._drawing import Drawing, spread
 from legwright.parts._labels import AWAY, RIGHT, UP, Camera, Thing, clearest_turn, hidden, labels_of
+from legwright.parts._robot import read_built
 from legwright.parts._tables import Row, screw_of
 from test_parts import PROGRAM, build
 
@@ -99,6 +100,21 @@ def test_screws_of_one_attachment_in_two_rows_of_the_bill_are_told_by_both():
     rows = [Row('screw', name, 9, None, None, note) for name, note in told]
     words = _Sheet(rows)._of_fixing(SimpleNamespace(holes=holes, pegs=()), fixing)
     assert words == 'horn: 4 x M2, bridging 3.5 to 10.1 mm (3 of no. 1, 1 of no. 2)'
+
+
+def test_each_servo_shows_its_horn(dog):
+    robot = read_built(dog)
+    drawing = Drawing(robot)
+    for module in robot.modules:
+        drawing.module(module, np.zeros(3))
+    model = mujoco.MjModel.from_xml_string(drawing.text())
+    discs = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_CYLINDER)
+    horns = [(m, p) for m in robot.modules for p in m.places if p.on_horn]
+    assert len(discs) == len(horns) == 8
+    for disc, (module, place) in zip(discs, horns):
+        middle = drawing.world(module.body, place.position)
+        assert np.linalg.norm(model.geom_pos[disc] - middle) < 0.001
+        assert model.geom_size[disc][0] > 0.004
 
 
 @pytest.mark.long

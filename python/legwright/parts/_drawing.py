@@ -29,6 +29,8 @@ _COLOURS = {
     'screw': '0.75 0.77 0.8 1',
     'tie': '0.12 0.12 0.13 1',
 }
+_HORN, _RIM, _HORN_HIGH = 0.003, 0.0015, 0.0015  # [m] of its screws, around them, and its height
+_BRASS = '0.8 0.66 0.3 1'
 _OTHER, _LINE, _INK = '0.35 0.4 0.5 1', '0.45 0.45 0.45 1', '0.75 0.1 0.1 1'
 
 
@@ -101,6 +103,12 @@ class Drawing:
                 f'      <geom type="{shape.kind}" size="{_words(shape.size)}" '
                 f'pos="{_words(place)}" quat="{_words(quat)}" rgba="{colour}"/>\n'
             )
+
+        for horn in (place for place in module.places if place.on_horn):
+            out = np.linalg.norm(horn.holes - horn.position, axis=1).max(initial=_HORN)
+            foot = self.world(module.body, horn.position) + shift
+            tip = foot + _HORN_HIGH * self.turn_of(module.body) @ horn.normal
+            self._geoms.append(_rod(foot, tip, float(out) + _RIM, _BRASS, 'cylinder'))
 
     def part(self, part: Part, solid: Solid, shift: Array) -> None:
         """One of a part's solids, moved from where it belongs."""
