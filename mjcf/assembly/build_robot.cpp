@@ -10,8 +10,10 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/assembly/assembly_xml.hpp"
+#include "mjcf/assembly/cable_notes.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/assembly/linear_joint.hpp"
+#include "mjcf/assembly/overlap_words.hpp"
 #include "mjcf/assembly/print_bounds.hpp"
 #include "mjcf/assembly/reflected_inertia.hpp"
 #include "mjcf/propose/declare.hpp"
@@ -188,8 +190,10 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
   out.found.left_out = left_out;
   append(out.found.left_out, bounds.left_out);
   if (pose) out.pose = pose->words;
+  out.overlaps = module_overlaps(*compile_mjcf(out.xml, file), file);
   for (const std::vector<std::string>& notes :
-       {notes_on(assembly), notes_on_hulls(assembly), bounds.notes})
+       {overlap_notes(assembly, out.overlaps), notes_on(assembly), notes_on_hulls(assembly),
+        notes_on_cables(assembly), bounds.notes})
     append(out.notes, notes);
   return out;
 }

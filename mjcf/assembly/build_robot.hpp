@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "mjcf/assembly/robot_assembly.hpp"
+#include "mjcf/propose/module_overlaps.hpp"
 #include "mjcf/propose/proposals.hpp"
 
 namespace legwright {
 
 /// A robot that was built of modules.
 struct BuiltRobot {
-  std::string xml;                 // MJCF with keyframe `home` and declared design parameters
-  ProposedParameters found;        // as read back, with what was declared
-  std::string pose;                // in words, where one was searched for
-  std::vector<std::string> notes;  // what was not known of a servo and what holds instead
+  std::string xml;           // MJCF with keyframe `home` and declared design parameters
+  ProposedParameters found;  // as read back, with what was declared
+  std::string pose;          // in words, where one was searched for
+  // Modules that stand inside each other; what was not known of a servo and what holds instead.
+  std::vector<std::string> notes;
+  std::vector<ModuleOverlap> overlaps;  // those of the first notes
 };
 
 /// Builds the robot of an assembly: its body, a home pose in which it stands, and the design

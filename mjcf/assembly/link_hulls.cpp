@@ -40,6 +40,10 @@ PadPoints pad(const Vector3d& centre, const Vector3d& normal, const Vector3d& to
   return out;
 }
 
+bool lets_cable_out(const Module& module, const Attachment& at) {
+  return std::find(module.cable.begin(), module.cable.end(), at.name) != module.cable.end();
+}
+
 class LinkShaper {
  public:
   LinkShaper(const LinkEnds& ends, double radius, double wall, double clearance)
@@ -53,7 +57,7 @@ class LinkShaper {
     best.clearance = -1.0;
     const auto is_enough = [&](const std::vector<LinkHull>& hulls) {
       const double least = least_distance(hulls);
-      if (least > best.clearance) best = {hulls, least};
+      if (least > best.clearance) best = {hulls, least, cable_at_};
       return least >= clearance_ - kClearanceGrain;
     };
     const Vector3d way = middle_ - ends_.axis.dot(middle_) * ends_.axis;
@@ -70,18 +74,24 @@ class LinkShaper {
   double high() const { return clearance_ + wall_; }
 
   /// The attachments of the other module that look at the horn: the one that does most, and those
-  /// that do nearly as much.
+  /// that do nearly as much. Where cables leave, whose slots are cut through what lies there, only
+  /// if no other does.
   void find_facing() {
     const Vector3d horn = 0.5 * (low() + high()) * ends_.axis;
-    double most = kLeastFacing;
     const auto facing = [&](const Attachment& at) {
       const Vector3d point = ends_.place + ends_.other_pose * at.position;
       return (ends_.other_pose.linear() * at.normal).dot((horn - point).normalized());
     };
+    std::vector<const Attachment*> free, at_cables;
     for (const Attachment& at : ends_.other->attachments)
-      if (!at.on_horn) most = std::max(most, facing(at));
-    for (const Attachment& at : ends_.other->attachments)
-      if (!at.on_horn && facing(at) >= most - 1e-9) facing_.push_back(&at);
+      if (!at.on_horn && facing(at) > kLeastFacing)
+        (lets_cable_out(*ends_.other, at) ? at_cables : free).push_back(&at);
+    double most = kLeastFacing;
+    const auto& candidates = free.empty() ? at_cables : free;
+    for (const Attachment* at : candidates) most = std::max(most, facing(*at));
+    for (const Attachment* at : candidates)
+      if (facing(*at) >= most - 1e-9) facing_.push_back(at);
+    if (free.empty() && !facing_.empty()) cable_at_ = facing_.front()->name;
     for (const Attachment* at : facing_)
       middle_ +=
           (ends_.place + ends_.other_pose * at->position) / static_cast<double>(facing_.size());
@@ -149,6 +159,7 @@ class LinkShaper {
   const LinkEnds& ends_;
   const double radius_, wall_, clearance_;  // [m]
   std::vector<const Attachment*> facing_;
+  std::string cable_at_;                // that of those where a cable leaves; empty: none
   Vector3d middle_ = Vector3d::Zero();  // of those, in the link
   OutlineHulls swept_;
 };

@@ -24,6 +24,9 @@ struct LinkHull {
 struct LinkHulls {
   std::vector<LinkHull> hulls;  // none where the modules have no attachments that face each other
   double clearance = std::numeric_limits<double>::infinity();  // [m]
+  // The attachment of the other module where a cable leaves, if no other faces the horn; else
+  // empty.
+  std::string cable_at{};
 };
 
 /// What a link holds together, with all angles zero, in its axes.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mjcf/read/declared_modules.hpp"
 #include "mjcf/text/numbers.hpp"
 
 namespace legwright {

@@ -9,9 +9,6 @@
 
 namespace legwright {
 
-/// A <text> that declares a module is called so, and then like the body or geom that it is.
-inline constexpr std::string_view kModulePrefix = "legwright_module/";
-
 /// The <text name="legwright_module/OF" data="NAME KIND MASS kg | body OF | joint JOINT | price P |
 /// cable PLACE PLACE | body PLACE: x y z nx ny nz | horn PLACE: x y z nx ny nz"/> of a module;
 /// joint, price and the attachments at which cables leave where it has them. Where its attachments

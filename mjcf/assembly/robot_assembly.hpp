@@ -30,6 +30,7 @@ struct AssemblyJoint {
   // Pivots of a linear actuator, from the joint: of its rod on the link that it moves, of its body
   // on what carries it [m]. None: those of linear_joint.hpp.
   std::optional<Eigen::Vector3d> lever, mount;
+  int line = 0;  // of the file; 0: not from one
 
   bool is_linear() const { return servo.kind == ModuleKind::linear; }
 };
@@ -43,12 +44,14 @@ struct AssemblyLimb {
   std::vector<AssemblyJoint> joints;
   Module foot;
   Eigen::Vector3d foot_offset = Eigen::Vector3d::Zero();  // from the last joint to its frame [m]
+  int line = 0;                                           // of its hip in the file; 0: not from one
 };
 
 /// Something that rides on the trunk.
 struct AssemblyPart {
   Module module;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its frame in the trunk's [m]
+  int line = 0;                                        // of the file; 0: not from one
 };
 
 /// Which torque of a servo's figures is a joint's limit.

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "mjcf/propose/module_overlaps.hpp"
+#include "mjcf/read/declared_modules.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/listed.hpp"
@@ -66,6 +69,13 @@ bool pass_when_played(const mjModel& model, const Structure& structure, int firs
   return (model.opt.disableflags & mjDSBL_FILTERPARENT) == 0 && (above(a) == b || above(b) == a);
 }
 
+std::set<int> geoms_of_modules(const mjModel& model) {
+  std::set<int> out;
+  for (const DeclaredModule& module : declared_modules(model))
+    out.insert(module.geoms.begin(), module.geoms.end());
+  return out;
+}
+
 ModelPointer compiled(const std::filesystem::path& file) {
   const RobotFiles files = RobotFiles::read(file);
   return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
@@ -114,13 +124,16 @@ std::vector<std::string> overlapping_links(const RobotModel& robot) {
     double depth;
   };
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const std::set<int> of_modules = geoms_of_modules(*model);
   std::map<std::pair<int, int>, Pair> deepest;  // of two bodies
   for (const auto& [geoms, depth] : home_depths(*model, robot.file)) {
     const auto bodies =
         std::minmax({model->geom_bodyid[geoms.first], model->geom_bodyid[geoms.second]});
     const bool of_robot = model->body_rootid[bodies.first] == robot.structure.trunk &&
                           model->body_rootid[bodies.second] == robot.structure.trunk;
-    if (!of_robot || depth < kOverlap ||
+    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
+                         of_modules.count(geoms.second) > 0;
+    if (!of_robot || is_told || depth < kOverlap ||
         pass_when_played(*model, robot.structure, bodies.first, bodies.second))
       continue;
     const bool ordered = model->geom_bodyid[geoms.first] == bodies.first;
@@ -143,11 +156,16 @@ std::vector<std::string> overlapping_links(const RobotModel& robot) {
         told.empty() ? " in the home pose" : "", describe_shape(*model, pair.second_geom),
         describe_shape(*model, pair.first_geom)));
   const auto name = [&](int geom) { return name_of(*model, mjOBJ_BODY, model->geom_bodyid[geom]); };
-  return {fmt::format(
-      "{}: what is played pushes them apart, whatever the gait; give {} an <exclude body1=\"{}\" "
-      "body2=\"{}\"/> in <contact>, or make one smaller",
-      listed(told, kMostListed, "; "), told.size() == 1 ? "them" : "each two",
-      name(pairs[0].first_geom), name(pairs[0].second_geom))};
+  const std::string cure =
+      of_modules.empty()
+          ? fmt::format(
+                "give {} an <exclude body1=\"{}\" body2=\"{}\"/> in <contact>, or make one "
+                "smaller",
+                told.size() == 1 ? "them" : "each two", name(pairs[0].first_geom),
+                name(pairs[0].second_geom))
+          : "move them apart in the robot's assembly by hip, step or offset, and build it anew";
+  return {fmt::format("{}: what is played pushes them apart, whatever the gait; {}",
+                      listed(told, kMostListed, "; "), cure)};
 }
 
 std::string describe(const std::vector<HomeTouch>& touches) {

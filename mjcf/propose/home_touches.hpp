@@ -38,7 +38,8 @@ struct BodyTouch {
 std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesystem::path& file);
 
 /// Links of a robot that overlap in its home pose, as MuJoCo would collide them when it is played:
-/// a sentence with names, depths and the cure; none where there are none. Throws as above.
+/// a sentence with names, depths and the cure; none where there are none. Modules that stand inside
+/// each other are for overlapping_modules() to tell. Throws as above.
 std::vector<std::string> overlapping_links(const RobotModel& robot);
 
 /// What there is to say of them, in a sentence with the cure; empty where there are none.

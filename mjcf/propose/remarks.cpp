@@ -8,6 +8,7 @@
 #include "mjcf/propose/doubtful_units.hpp"
 #include "mjcf/propose/foot_pictures.hpp"
 #include "mjcf/propose/home_touches.hpp"
+#include "mjcf/propose/module_overlaps.hpp"
 #include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/unlike_sides.hpp"
 #include "mjcf/propose/unread_ranges.hpp"
@@ -27,6 +28,7 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
   if (std::string remark = unlimited_torques(robot); !remark.empty())
     out.push_back(std::move(remark));
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
+  for (std::string& remark : overlapping_modules(robot)) out.push_back(std::move(remark));
   for (std::string& remark : overlapping_links(robot)) out.push_back(std::move(remark));
   for (std::string& remark : feet_beside_pictures(robot)) out.push_back(std::move(remark));
   for (std::string& remark : beside_feet(robot)) out.push_back(std::move(remark));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/assembly/overlap_words.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "python/core/calls.hpp"
 #include "tools/modules/assembly_file.hpp"
@@ -29,7 +30,9 @@ std::pair<std::string, std::string> build(const std::string& text, const fs::pat
                                           const std::vector<fs::path>& modules) {
   const Assembly assembly = parse_assembly(text, file, ModuleLibrary(modules));
   try {
-    return {build_robot(assembly, file).xml, ""};
+    const BuiltRobot built = build_robot(assembly, file);
+    refuse_deep_overlaps(assembly, built.overlaps, file);
+    return {built.xml, ""};
   } catch (const InputError& error) {
     return {"", error.what()};
   }

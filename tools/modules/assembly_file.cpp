@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kShortestOffset = 1e-3;  // [m], of the link that a foot ends
+constexpr double kShortestOffset = 1e-3;  // [m], of a link, from joint to joint or foot
 
 class AssemblyReader {
  public:
@@ -182,6 +182,7 @@ class AssemblyReader {
                          *name,
                          found->module.kind == ModuleKind::servo ? "servo" : "linear actuator"));
     if (found) part.module = found->module;
+    part.line = in.line_of("module");
     if (const auto position = in.numbers("position")) part.position = vector_of(*position);
     in.finish();
     out_.parts.push_back(part);
@@ -195,6 +196,7 @@ class AssemblyReader {
     in.require(hip.has_value(), "hip", "hip = [0.1, 0.06, 0.0]");
     if (hip) limb.hip = vector_of(*hip);
     if (!hip) unplaced_.insert(out_.limbs.size());
+    limb.line = in.line_of("hip");
     read_copies(in, limb);
     if (const auto mirror = in.text("mirror")) {
       limb.mirrored = *mirror == "y";
@@ -309,6 +311,7 @@ class AssemblyReader {
     const auto name = in.text("name");
     in.require(name.has_value(), "name", "name = \"knee\"");
     joint.name = name.value_or("joint");
+    joint.line = in.line_of("name");
     joint.link = in.text("link").value_or(joint.name + "_link");
     if (!is_plain_name(joint.name))
       refuse(in, "name",
@@ -331,6 +334,10 @@ class AssemblyReader {
     const bool first = limb.joints.empty();
     in.require(offset.has_value() || first, "offset", "offset = [0.0, 0.0, -0.08]");
     if (offset) joint.offset = vector_of(*offset);
+    if (!first && offset && joint.offset.norm() < kShortestOffset)
+      refuse(in, "offset",
+             "has no length, which puts the joint into the one above it; expected the way from "
+             "there: [0.0, 0.0, -0.08]");
     if (first && offset && joint.offset.norm() > 0.0)
       refuse(in, "offset", "is of the first joint, which is where hip says; take it out");
     const bool turned = read_servo(in, joint);

@@ -8,6 +8,7 @@
 
 #include "mjcf/propose/beside_feet.hpp"
 #include "mjcf/propose/home_touches.hpp"
+#include "mjcf/propose/module_overlaps.hpp"
 #include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
 #include "mjcf/propose/unlike_sides.hpp"
@@ -253,6 +254,7 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   for (std::string& unlike : unlike_sides(robot)) warnings.push_back(std::move(unlike));
   if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
+  for (std::string& overlap : overlapping_modules(robot)) warnings.push_back(std::move(overlap));
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));
   const ServoSag sag = servo_sag(robot, task);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/assembly/overlap_words.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
@@ -117,6 +118,7 @@ int build(const BuildOptions& options) {
   const std::vector<std::string> warnings =
       doubts_on_assembly(assembly, read, options.assembly, library);
   const BuiltRobot built = robot_of(assembly, options);
+  refuse_deep_overlaps(assembly, built.overlaps, options.assembly);
   const auto [task, words] = options.task.empty() ? std::pair<std::string, std::string>{}
                                                   : first_task_of(options, built.found.model);
   std::vector<NewFile> files{{options.output, built.xml}};

@@ -9,6 +9,8 @@
 
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/assembly/cable_notes.hpp"
+#include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/read/connectors.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
@@ -122,6 +124,53 @@ TEST(LinkHulls, AreNoneWhereNothingFacesTheHorn) {
   EXPECT_GT(model->body_mass[link], 0.011) << "a capsule is printed instead";
 }
 
+/// Of a module of one's own: its cable leaves where the link would be fixed.
+Assembly dog_with_cables(const std::vector<std::string>& cable) {
+  Assembly assembly = hulled_dog();
+  Module& knee = assembly.limbs[0].joints[1].servo;
+  // As far from the horn's way as the end, 17 degrees aside.
+  knee.attachments.push_back(
+      test::attachment("slant", {0.0, -0.023, 0.0}, Vector3d(0.3, -1.0, 0.0).normalized()));
+  knee.cable = cable;
+  return assembly;
+}
+
+double lowest_end(const Assembly& assembly) {
+  const std::vector<PlacedLimb> limbs = placed_limbs(assembly);
+  const LinkHulls hulls = hulls_of_link(assembly, limbs[0], 0);
+  EXPECT_TRUE(hulls.cable_at.empty());
+  double spread = 0.0;
+  for (const Vector3d& point : hulls.hulls.back().far) spread = std::max(spread, point.z());
+  return spread;
+}
+
+TEST(LinkHulls, LeaveOutWhereCablesLeave) {
+  const double at_end = lowest_end(dog_with_cables({})),
+               beside = lowest_end(dog_with_cables({"end"}));
+  EXPECT_GT(beside, at_end + 1e-3) << "a pad that slants reaches higher";
+  EXPECT_EQ(lowest_end(dog_with_cables({"slant"})), at_end) << "another side changes nothing";
+}
+
+TEST(LinkHulls, TellWhereACableLeavesAndNothingElseFacesTheHorn) {
+  Assembly assembly = hulled_dog();
+  EXPECT_TRUE(notes_on_cables(assembly).empty());
+  AssemblyJoint& knee = assembly.limbs[0].joints[1];
+  knee.servo.cable = {"end"};
+  knee.line = 24;
+  const std::vector<std::string> notes = notes_on_cables(assembly);
+  ASSERT_EQ(notes.size(), 1u) << "once for all four legs";
+  EXPECT_TRUE(notes[0].starts_with(
+      "the connector of FL_hip_link lies on \"end\" of S (knee, line 24), where a cable leaves"))
+      << notes[0];
+  EXPECT_EQ(notes[0].find("roll"), std::string::npos) << "no other side would face it";
+  knee.servo.attachments.push_back(test::attachment("side", {0.014, 0.0, 0.0}, {1.0, 0.0, 0.0}));
+  const std::string with_side = notes_on_cables(assembly).at(0);
+  const std::size_t at = with_side.find("give knee roll = ");
+  ASSERT_NE(at, std::string::npos) << with_side;
+  knee.roll = std::stod(with_side.substr(at + std::string("give knee roll = ").size()));
+  EXPECT_TRUE(notes_on_cables(assembly).empty()) << "the cure cures";
+}
+
 /// The next servo lies within the reach of the one that turns it: the part's end stays before the
 /// horn's plane, or what it misses is told.
 TEST(LinkHulls, TellWhereThereIsNoRoom) {
@@ -130,7 +179,8 @@ TEST(LinkHulls, TellWhereThereIsNoRoom) {
   assembly.link_clearance = 0.004;
   const BuiltRobot built = build_robot(assembly, "dog.xml");
   for (const std::string& note : built.notes)
-    EXPECT_NE(note.find("nearer to the servo that turns them than 4 mm"), std::string::npos)
+    EXPECT_TRUE(note.find("nearer to the servo that turns them than 4 mm") != std::string::npos ||
+                note.find("FL_knee_servo") != std::string::npos)
         << note;
   EXPECT_GE(built.found.model.connectors.size(), 8u);
 }

@@ -5,6 +5,7 @@
 
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/read/declared_modules.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/assembly/boxy_dog.hpp"
 

@@ -273,6 +273,20 @@ TEST(AssemblyFile, TakesItsNameFromTheFile) {
   }
 }
 
+TEST(AssemblyFile, RefusesALinkWithoutLength) {
+  const std::string text = assembly_with("offset = [0.0, 0.0, -0.08]", "offset = [0, 0, 0.0009]");
+  expect_complaint(text,
+                   "dog.toml:36: limb.joint.offset: has no length, which puts the joint into");
+}
+
+TEST(AssemblyFile, KnowsAtWhichLinesModulesStand) {
+  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", installed());
+  EXPECT_EQ(dog.parts[0].line, 11);
+  EXPECT_EQ(dog.limbs[0].line, 22);
+  EXPECT_EQ(dog.limbs[0].joints[0].line, 29);
+  EXPECT_EQ(dog.limbs[0].joints[1].line, 33);
+}
+
 TEST(AssemblyFile, RefusesNamesThatMeetInTheRobot) {
   const std::string alone = "mirror = \"y\"\n";
   std::string text = with_second_limb("[\"F_b\", \"X\"]", "[0.09, 0.1, 0.0]");
