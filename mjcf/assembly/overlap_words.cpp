@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -108,7 +109,11 @@ std::vector<Alike> alike_pairs(const std::map<std::string, Stand>& stands,
     return found == stands.end() ? Stand{} : found->second;
   };
   for (ModuleOverlap each : overlaps) {
-    if (!stand(each.first).table()) std::swap(each.first, each.second);  // the trunk stays
+    const auto order = [&](const std::string& name) {  // as the file has them; the trunk stays
+      const Stand at = stand(name);
+      return at.table() == nullptr ? std::numeric_limits<int>::max() : at.line();
+    };
+    if (order(each.first) > order(each.second)) std::swap(each.first, each.second);
     const Stand first = stand(each.first), second = stand(each.second);
     auto at = std::find_if(out.begin(), out.end(), [&](const Alike& other) {
       return other.first.table() == first.table() && other.second.table() == second.table() &&

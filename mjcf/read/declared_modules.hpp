@@ -20,7 +20,6 @@ struct DeclaredModule {
   int body = 0;            // that they are on
 
   bool is_trunk() const { return kind == "trunk"; }
-  bool is_drive() const { return kind == "servo" || kind == "linear"; }
 };
 
 /// Those of a model, in the order of its texts; none of robots that were not built of modules. What

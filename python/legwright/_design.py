@@ -18,7 +18,7 @@ from legwright._files import read_json
 from legwright._html import design_html
 from legwright._judgement import Judgement, judge
 from legwright._motion import Motion, read_motion
-from legwright._options import JUDGE, checked
+from legwright._options import JUDGE, PHASE, checked
 from legwright._plugin import served_mujoco
 from legwright._run_folder import no_end, save_run
 from legwright._verdict import FrontPoint, Verdict, finite_or_inf
@@ -346,7 +346,8 @@ class Design:
             InputError: for a phase that is none.
             IoError: without OpenGL (OSMesa or EGL), and where the folder cannot be written.
         """
-        words = [word for phase in phases for word in ('--phase', repr(float(phase)))]
+        shares = [checked({'phases': PHASE}, {'phases': each})['phases'] for each in phases]
+        words = [word for phase in shares for word in ('--phase', repr(phase))]
         document = _program.answer('render', str(self.folder), *words)
         return [Path(each['file']) for each in document['files']]
 

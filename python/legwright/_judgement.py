@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """The whole verdict of `legwright validate`: gains, numerics, stability, disturbances."""
 
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from legwright import _program
 from legwright._command import NOT_ALL, OK
+from legwright._errors import IoError
 from legwright._files import read_json
+
+_MEASURED = ('metrics', 'numerics', 'robustness')
 
 
 @dataclass(frozen=True)
@@ -40,17 +44,26 @@ class Judgement:
         return self.line
 
 
-def _of_task(folder: Path) -> Judgement:
-    """What `validate` wrote of one task."""
-    result = folder / 'result'
-    record: dict[str, Any] = read_json(result / 'verdict.json')
-    further = {
-        name: read_json(result / f'{name}.json')
-        for name in ('metrics', 'numerics', 'robustness')
-        if (result / f'{name}.json').exists()
-    }
+def _of_task(document: Mapping[str, Any]) -> Judgement:
+    """What `validate` tells of one task."""
+    record = document['verdict']
     said = record['result']
+    further = {name: document[name] for name in _MEASURED if name in document}
     return Judgement(record['pass'], said['line'], tuple(said['reasons']), record, **further)
+
+
+def _written(folder: Path) -> dict[str, Any]:
+    """What it wrote into the folder of one of several tasks."""
+    result = folder / 'result'
+    names = [name for name in ('verdict', *_MEASURED) if (result / f'{name}.json').exists()]
+    return {name: read_json(result / f'{name}.json') for name in names}
+
+
+def _check_writable(folders: Iterable[Path]) -> None:
+    """Raises IoError for a run that cannot be written, of which an old verdict would be read."""
+    for folder in (each for run in folders for each in (run, run / 'result')):
+        if folder.exists() and not os.access(folder, os.W_OK):
+            raise IoError(f'{folder}: cannot be written; save() the design to another folder')
 
 
 def judge(run: Path, tasks: Mapping[str, Path], options: Sequence[str]) -> Judgement:
@@ -61,10 +74,11 @@ def judge(run: Path, tasks: Mapping[str, Path], options: Sequence[str]) -> Judge
         tasks: of a run of several tasks the folder of each; else empty.
         options: of the verb.
     """
+    _check_writable([run, *tasks.values()])
     document = _program.answer('validate', str(run), *options, accepted=(OK, NOT_ALL))
     if not tasks:
-        return _of_task(run)
-    each = {name: _of_task(folder) for name, folder in tasks.items()}
+        return _of_task(document)
+    each = {name: _of_task(_written(folder)) for name, folder in tasks.items()}
     return Judgement(
         document['pass'],
         '\n'.join(f'{name}: {judged.line}' for name, judged in each.items()),

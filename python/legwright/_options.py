@@ -81,6 +81,7 @@ CODESIGN: Mapping[str, Option] = {
     'check_gradient': Option(bool, True),
 }
 """All of codesign()."""
+PHASE = Option(float, None, 0.0, 1.0)
 JUDGE: Mapping[str, Option] = {
     'quick': Option(bool, False),
     'cycles': Option(int, 20, 4, 10000),

@@ -57,7 +57,7 @@ def answer(*words: str, accepted: Collection[int] = (OK,)) -> Any:
     """
     done = completed(*words, '--json')
     if done.returncode in accepted:
-        for line in done.stderr.splitlines():
+        for line in done.stderr.replace(_SAYS, '').splitlines():
             if line.startswith(_WARNS):
                 warnings.warn(LegwrightWarning(line), stacklevel=3)
         return json.loads(done.stdout)

@@ -45,10 +45,14 @@ def assert_on_beds(boxes: list[tuple[str, np.ndarray]], bed: tuple[float, float]
         assert left - 1e-3 <= low[0] and high[0] <= left + bed[0] + 1e-3
         assert low[1] >= -1e-3 and high[1] <= bed[1] + 1e-3
         assert abs(low[2]) < 1e-3
+    assert_apart(boxes)
+    return len(plates)
+
+
+def assert_apart(boxes: list[tuple[str, np.ndarray]]) -> None:
     for (_, one), (_, other) in itertools.combinations(boxes, 2):
         apart = np.maximum(one[0] - other[1], other[0] - one[1])[:2]
         assert apart.max() >= SPACE - 1e-3
-    return len(plates)
 
 
 @pytest.mark.parametrize('bed, plates', [((250, 250, 250), 1), ((145, 215, 250), 2)])
@@ -75,6 +79,7 @@ def test_what_is_larger_than_the_bed_has_a_plate_of_its_own(printed):
     made = printed('puppy')
     files = plate_files('it', made.parts, (120, 120, 250))
     assert [name for name, _ in boxes_of(files['plate_1.3mf'])] == ['trunk']
+    assert_apart(boxes_of(files['all.3mf']))
     assert sum(len(boxes_of(files[name])) for name in files if 'plate' in name) == 9
     own = boxes_of((made.folder / 'all.3mf').read_bytes())
     assert assert_on_beds(own, (220, 220)) == 2 and (made.folder / 'plate_2.3mf').is_file()

@@ -74,10 +74,24 @@ def test_what_cannot_be_asked_is_told(saved, tmp_path):
         saved.validate(limits=3)
     with pytest.raises(lw.IoError, match='none.toml'):
         saved.validate(limits=tmp_path / 'none.toml')
-    with pytest.raises(lw.InputError, match='--phase'):
-        saved.render(phases=[2.0])
+    for phase, words in ((2.0, 'is 2.0; expected 0 to 1'), ('a', 'is a text; expected a number')):
+        with pytest.raises(lw.InputError, match=f'phases: {words}'):
+            saved.render(phases=[phase])
     with pytest.raises(TypeError, match='folder is an integer; expected a path'):
         saved.export(3)
+
+
+def test_a_run_that_cannot_be_written_gets_no_old_verdict(saved, monkeypatch):
+    saved.validate(quick=True)
+    monkeypatch.setattr(os, 'access', lambda path, mode: False)  # root may write anywhere
+    with pytest.raises(lw.IoError, match=r'cannot be written; save\(\) the design'):
+        saved.validate(quick=True)
+
+
+def test_what_the_program_warns_of_is_a_warning(saved, tmp_path, monkeypatch):
+    monkeypatch.setenv('LEGWRIGHT_GL', 'none')
+    with pytest.warns(lw.LegwrightWarning, match='^warning: no picture'):
+        saved.export(tmp_path / 'out')
 
 
 def test_an_edited_run_is_refused(saved):

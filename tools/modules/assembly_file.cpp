@@ -336,8 +336,8 @@ class AssemblyReader {
     if (offset) joint.offset = vector_of(*offset);
     if (!first && offset && joint.offset.norm() < kShortestOffset)
       refuse(in, "offset",
-             "has no length, which puts the joint into the one above it; expected the way from "
-             "there: [0.0, 0.0, -0.08]");
+             "is shorter than 1 mm, which puts the joint into the one above it; expected the way "
+             "from there: [0.0, 0.0, -0.08]");
     if (first && offset && joint.offset.norm() > 0.0)
       refuse(in, "offset", "is of the first joint, which is where hip says; take it out");
     const bool turned = read_servo(in, joint);

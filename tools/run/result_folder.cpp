@@ -48,7 +48,8 @@ bool never_began(const fs::path& root) {
   std::error_code error;
   if (has_checkpoint(root)) return false;
   for (const char* designs : {"iterations", "starts", "tasks", "candidates", "front", "result"})
-    if (fs::exists(root / designs, error) && !fs::is_empty(root / designs, error)) return false;
+    for (const auto& entry : fs::directory_iterator(root / designs, error))
+      if (!entry.path().filename().string().starts_with('.')) return false;  // else unfinished
   const Json run = read_json(root / "run.json");
   const auto status = run.find("status");
   return status != run.end() && (*status == "running" || *status == "failed");

@@ -101,6 +101,20 @@ Json to_json(const BuiltRobot& built, const std::vector<std::string>& warnings,
           {"task", options.task.empty() ? Json(nullptr) : Json(options.task)}};
 }
 
+/// The robot. Where it is refused, what is doubtful about the files may be the cause, and is told.
+BuiltRobot accepted_robot(const Assembly& assembly, const std::vector<std::string>& warnings,
+                          const BuildOptions& options) {
+  try {
+    BuiltRobot built = robot_of(assembly, options);
+    refuse_deep_overlaps(assembly, built.overlaps, options.assembly);
+    return built;
+  } catch (const InputError&) {
+    for (const std::string& warning : warnings)
+      fmt::print(stderr, "warning  {}\n", terminal_text(warning));
+    throw;
+  }
+}
+
 int build(const BuildOptions& options) {
   if (options.keys) return print_assembly_keys(options.json);
   if (options.assembly.empty())
@@ -117,8 +131,7 @@ int build(const BuildOptions& options) {
   const Assembly assembly = parse_assembly(read, options.assembly, library);
   const std::vector<std::string> warnings =
       doubts_on_assembly(assembly, read, options.assembly, library);
-  const BuiltRobot built = robot_of(assembly, options);
-  refuse_deep_overlaps(assembly, built.overlaps, options.assembly);
+  const BuiltRobot built = accepted_robot(assembly, warnings, options);
   const auto [task, words] = options.task.empty() ? std::pair<std::string, std::string>{}
                                                   : first_task_of(options, built.found.model);
   std::vector<NewFile> files{{options.output, built.xml}};

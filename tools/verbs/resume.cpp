@@ -18,6 +18,7 @@
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_build.hpp"
 #include "tools/run/run_record.hpp"
+#include "tools/verbs/summary.hpp"
 
 namespace legwright {
 
@@ -47,7 +48,7 @@ std::string why_nothing_goes_on(const fs::path& run) {
     return "its search came to its end; there is nothing to go on with";
   return "its search was broken off before it had a state to go on from; begin anew: `legwright "
          "optimize TASK -o " +
-         run.string() + " --force`";
+         shell_word(run.string()) + "`, with --force where it asks for that";
 }
 
 }  // namespace

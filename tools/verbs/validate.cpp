@@ -8,6 +8,7 @@
 #include <new>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/clean_text.hpp"
@@ -189,7 +190,11 @@ int validate_elsewhere(const ValidateOptions& options) {
 
 /// Why a run cannot be written into; empty where it can.
 std::string unwritable(const ResultFolder& folder) {
-  for (const fs::path& path : {folder.root(), folder.result()})
+  std::vector<fs::path> written{folder.root(), folder.result()};
+  std::error_code error;
+  for (const auto& task : fs::directory_iterator(folder.root() / "tasks", error))
+    written.insert(written.end(), {task.path(), task.path() / "result"});
+  for (const fs::path& path : written)
     if (::access(path.c_str(), W_OK) != 0 && errno != ENOENT)
       return std::generic_category().message(errno);
   return "";

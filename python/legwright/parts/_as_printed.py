@@ -92,11 +92,18 @@ def _with_inertials(text: str, inertials: Sequence[_Inertial], file: Path) -> st
     return text
 
 
-def _with_sums(record: bytes, place: str, files: Mapping[str, bytes]) -> bytes:
-    """A run.json whose sums of scenes are those of the files below its place; all else stays."""
+def _with_sums(
+    record: bytes, place: str, files: Mapping[str, bytes], before: Mapping[str, str]
+) -> bytes:
+    """A run.json whose sums of scenes are those of the files below its place; all else stays.
+
+    Args:
+        before: SHA-256 of what was weighed anew, by its path. Of a scene that was edited, so that
+            it is not the run's, the old sum stays, by which it is told.
+    """
     for name, old in (json.loads(record).get('scenes') or {}).items():
         scene = files.get(place + name)
-        if scene is not None:
+        if scene is not None and before.get(place + name) == old:
             sums = (old, hashlib.sha256(scene).hexdigest())
             record = record.replace(*(f'{json.dumps(name)}: "{each}"'.encode() for each in sums))
     return record
@@ -125,7 +132,8 @@ def as_printed(
         results.add(Path('result'))
     weighed = {result / name for result in results for name in ('robot.xml', 'scene.xml')}
     written = folder.resolve()
-    files = {}
+    files: dict[str, bytes] = {}
+    before: dict[str, str] = {}
     for file in sorted(path for path in run.rglob('*') if path.is_file()):
         name = file.relative_to(run)
         if file.resolve().is_relative_to(written) or _LEFT_OUT.fullmatch(name.as_posix()):
@@ -135,10 +143,11 @@ def as_printed(
         except OSError as error:
             raise unreadable(file, error, 'parts are made of a whole run') from None
         if name in weighed:
+            before[f'{FOLDER}/{name.as_posix()}'] = hashlib.sha256(data).hexdigest()
             data = _with_inertials(data.decode(), inertials, file).encode()
         files[f'{FOLDER}/{name.as_posix()}'] = data
     for name in [each for each in files if each.endswith('run.json')]:
-        files[name] = _with_sums(files[name], name.removesuffix('run.json'), files)
+        files[name] = _with_sums(files[name], name.removesuffix('run.json'), files, before)
     return files
 
 

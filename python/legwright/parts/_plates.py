@@ -118,7 +118,8 @@ def plate_files(title: str, parts: Sequence[Part], bed: Sequence[float]) -> dict
     Parts have the lower corner of their box at the origin. @param bed of the printer [mm]
     """
     copies = _packed(parts, bed)
-    placed = _centred(copies, bed, STRIDE * bed[0])
+    widest = max((copy.size[0] for copy in copies), default=0.0)
+    placed = _centred(copies, bed, max(STRIDE * bed[0], widest + SPACE))
     files = {'all.3mf': threemf_bytes(title, _items(parts, placed))}
     plates = sorted({copy.plate for copy in copies})
     if len(plates) == 1:

@@ -275,8 +275,8 @@ TEST(AssemblyFile, TakesItsNameFromTheFile) {
 
 TEST(AssemblyFile, RefusesALinkWithoutLength) {
   const std::string text = assembly_with("offset = [0.0, 0.0, -0.08]", "offset = [0, 0, 0.0009]");
-  expect_complaint(text,
-                   "dog.toml:36: limb.joint.offset: has no length, which puts the joint into");
+  expect_complaint(
+      text, "dog.toml:36: limb.joint.offset: is shorter than 1 mm, which puts the joint into");
 }
 
 TEST(AssemblyFile, KnowsAtWhichLinesModulesStand) {

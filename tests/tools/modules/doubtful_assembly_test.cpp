@@ -79,7 +79,7 @@ TEST(DoubtfulAssemblies, NoneIsAmongTheExamples) {
 TEST(DoubtfulAssemblies, TellLineKeyAndTheUnitThatIsMeant) {
   expect_assembly_doubt(
       doubtful_dog_with("mass = 0.12", "mass = 120"),
-      "dog.toml:4: trunk.mass: is 120 kg in 0.336 litres, 357143 kg/m3: metals have up "
+      "dog.toml:4: trunk.mass: is 120 kg in 0.336 litres, 357143 kg/m3: modules have up "
       "to 10000; 120 g are 0.12 kg");
   expect_assembly_doubt(doubtful_dog_with("[0.14, 0.08, 0.03]", "[1.4, 0.8, 0.3]"),
                         "dog.toml:3: trunk.size: makes a shape of 0.12 kg in 336 litres");

@@ -97,7 +97,7 @@ TEST(DoubtfulModules, AreToldWithLineAndKey) {
       "gears, where motors have up to 3000; 57 rev/min are 5.969 rad/s");
   expect_module_doubt(
       servo_text_with(servo, "mass = 0.055", "mass = 55"),
-      "hs1.toml:5: mass: is 55 kg in 0.0288 litres, 1909722 kg/m3: metals have up to "
+      "hs1.toml:5: mass: is 55 kg in 0.0288 litres, 1909722 kg/m3: modules have up to "
       "10000; 55 g are 0.055 kg");
   expect_module_doubt(servo_text_with(servo, "size = [0.02, 0.04, 0.036]", "size = [2, 4, 3.6]"),
                       "hs1.toml:10: outline.size: makes a shape of 0.055 kg in 28800 litres");

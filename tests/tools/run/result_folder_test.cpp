@@ -79,6 +79,8 @@ TEST(ResultFolder, TakesARunThatWasBrokenOffBeforeItHadADesign) {
     make_run(run);
     write_json(run / "run.json", {{"schema", "legwright/run"}, {"status", status}});
     write_file(run / "inputs/robot.xml", "half");
+    fs::create_directories(run / "iterations/.0000");
+    write_file(run / "iterations/.0000/robot.xml", "not whole");
     EXPECT_EQ(refusal(run, false), "") << status;
     fs::remove_all(run);
   }

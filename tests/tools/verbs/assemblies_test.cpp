@@ -103,6 +103,7 @@ TEST(Assemblies, APlanThatDoesNotKnowItsMotorsFailsWithThem) {
               "<config key=\"stall_torque\" value=\"1.4\"/>"
               "<config key=\"no_load_speed\" value=\"5.97\"/>");
   write_file(scene, text);
+  test::forget_sums_of_scenes(run);
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, 1) << verdict.err;
   EXPECT_TRUE(contains(verdict.out, "saturates servos")) << verdict.out;

@@ -72,6 +72,7 @@ TEST(LinearAssemblies, APlanThatDoesNotKnowItsRodsFailsWithThem) {
       "<config key=\"stall_torque\" value=\"1.4 100 1.4 100 1.4 100 1.4 100\"/>"
       "<config key=\"no_load_speed\" value=\"5.97 0.032 5.97 0.032 5.97 0.032 5.97 0.032\"/>");
   write_file(scene, text);
+  test::forget_sums_of_scenes(run);
   const Outcome verdict = call({"validate", "--quick", run.string()});
   EXPECT_EQ(verdict.code, 1) << verdict.err;
   EXPECT_TRUE(contains(verdict.out, "saturates servos")) << verdict.out;
