@@ -103,7 +103,8 @@ def test_an_edited_run_is_refused(saved):
 
 def test_ctrl_c_ends_the_program_too(saved):
     code = (
-        'import legwright as lw\n'
+        'import signal\nimport legwright as lw\n'
+        'signal.signal(signal.SIGINT, signal.default_int_handler)\n'  # a job may ignore it
         f'design = lw.Design.load({str(saved.folder)!r})\n'
         'print("begins", flush=True)\n'
         'try:\n'
@@ -111,14 +112,18 @@ def test_ctrl_c_ends_the_program_too(saved):
         'except KeyboardInterrupt:\n'
         '    print("interrupted")\n'
     )
-    child = subprocess.Popen([sys.executable, '-c', code], stdout=subprocess.PIPE, text=True)
-    assert child.stdout.readline() == 'begins\n'
-    while not children_of(child.pid):
-        time.sleep(0.05)
-    program = children_of(child.pid)[0]
-    time.sleep(0.5)
-    child.send_signal(signal.SIGINT)
-    assert child.communicate(timeout=60)[0] == 'interrupted\n'
+    words = [sys.executable, '-c', code]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as child:
+        try:
+            assert child.stdout.readline() == 'begins\n'
+            while not children_of(child.pid):
+                time.sleep(0.05)
+            program = children_of(child.pid)[0]
+            time.sleep(0.5)
+            child.send_signal(signal.SIGINT)
+            assert child.communicate(timeout=60)[0] == 'interrupted\n'
+        finally:
+            child.kill()  # the program dies with it
     with pytest.raises(ProcessLookupError):
         os.kill(program, 0)
     assert not list(saved.folder.rglob('.*.tmp'))
