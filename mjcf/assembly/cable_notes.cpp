@@ -42,8 +42,7 @@ std::string note_on(const Assembly& assembly, const PlacedLimb& limb, std::size_
   return fmt::format(
       "the connector of {} lies on \"{}\" of {} ({}{}), where a cable leaves and no other "
       "attachment faces the horn: `legwright parts` cuts the cable's slot through it, and little "
-      "or "
-      "nothing holds the module; {}let the module's `cable` name another side, or give it an "
+      "or nothing holds the module; {}let the module's `cable` name another side, or give it an "
       "[[attachment]] beside the cable",
       link_name(limb, of.joints[joint]), attachment, module.name, whose,
       line > 0 ? fmt::format(", line {}", line) : "",

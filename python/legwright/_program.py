@@ -56,12 +56,13 @@ def answer(*words: str, accepted: Collection[int] = (OK,)) -> Any:
         LegwrightError: where it was ended, or did not do what it should.
     """
     done = completed(*words, '--json')
+    lines = [line.removeprefix(_SAYS) for line in done.stderr.strip().splitlines()]
     if done.returncode in accepted:
-        for line in done.stderr.replace(_SAYS, '').splitlines():
+        for line in lines:
             if line.startswith(_WARNS):
                 warnings.warn(LegwrightWarning(line), stacklevel=3)
         return json.loads(done.stdout)
-    said = '\n'.join(line.removeprefix(_SAYS) for line in done.stderr.strip().splitlines())
+    said = '\n'.join(lines)
     if done.returncode == BAD_INPUT:
         raise InputError(said)
     if done.returncode == IO_ERROR:

@@ -90,7 +90,7 @@ void Doubts::check_density(double mass, double volume, double least, const std::
                                         figure_text(kLitres * volume), figure_text(density));
   if (density > kMostDensity)
     return add(mass_place,
-               fmt::format("is {}: modules have up to {}; {}", heavy, kMostDensity,
+               fmt::format("is {}; expected at most {}; {}", heavy, kMostDensity,
                            plain(density / kGrams)
                                ? fmt::format("{:.4g} g are {:.4g} kg", mass, mass / kGrams)
                                : "check it, and the lengths of the shape"));

@@ -9,17 +9,15 @@
 
 #include "mjcf/assembly/assembly_names.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/support/source_tree.hpp"
+#include "tests/tools/modules/installed_modules.hpp"
+#include "tests/tools/modules/told.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/task/task_text.hpp"
 
 namespace legwright {
 namespace {
-
-const ModuleLibrary& installed() {
-  static const ModuleLibrary library({test::kSource / "modules"});
-  return library;
-}
 
 /// Every key is given, but trunk.module, which stands for size and mass.
 const std::string kWholeAssembly = R"(name = "dog"
@@ -65,7 +63,7 @@ roll = 0.1
 
 std::string complaint_about(const std::string& text) {
   try {
-    (void)parse_assembly(text, "dog.toml", installed());
+    (void)parse_assembly(text, "dog.toml", test::installed_modules());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -73,19 +71,15 @@ std::string complaint_about(const std::string& text) {
 }
 
 std::string assembly_with(const std::string& part, const std::string& by) {
-  std::string text = kWholeAssembly;
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
+  return test::with(kWholeAssembly, part, by);
 }
 
 void expect_complaint(const std::string& text, const std::string& part) {
-  const std::string told = complaint_about(text);
-  EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
+  test::expect_told(complaint_about(text), part);
 }
 
 TEST(AssemblyFile, ReadsAWholeAssembly) {
-  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", installed());
+  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", test::installed_modules());
   EXPECT_EQ(dog.name, "dog");
   EXPECT_EQ(dog.torque_share, 0.8);
   EXPECT_EQ(dog.armature, 0.004);
@@ -116,7 +110,7 @@ TEST(AssemblyFile, ExamplesAreReadInTwentyLines) {
   for (const char* name : {"puppy", "hexapod"}) {
     const auto file = test::kExamples / "assemblies" / (std::string(name) + ".toml");
     const std::string text = read_file(file);
-    EXPECT_EQ(parse_assembly(text, file, installed()).name, name) << "after its file";
+    EXPECT_EQ(parse_assembly(text, file, test::installed_modules()).name, name) << "after its file";
     int lines = 0;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) lines += !line.empty() && line[0] != '#';
@@ -127,7 +121,7 @@ TEST(AssemblyFile, ExamplesAreReadInTwentyLines) {
 TEST(AssemblyFile, TakesATrunkFromTheLibrary) {
   const std::string text =
       assembly_with("size = [0.2, 0.09, 0.04]\nmass = 0.25", "module = \"plate_200x100\"");
-  EXPECT_EQ(parse_assembly(text, "x.toml", installed()).trunk.name, "plate_200x100");
+  EXPECT_EQ(parse_assembly(text, "x.toml", test::installed_modules()).trunk.name, "plate_200x100");
   expect_complaint(assembly_with("mass = 0.25", "mass = 0.25\nmodule = \"plate_200x100\""),
                    "trunk.module: stands beside size or mass");
   expect_complaint(assembly_with("mass = 0.25\n", ""), "trunk.mass: is missing");
@@ -137,7 +131,8 @@ TEST(AssemblyFile, LinksMayBeCapsules) {
   const std::string text =
       assembly_with("shape = \"hull\"\nradius = 0.006\nwall = 0.004\nclearance = 0.002\n",
                     "shape = \"capsule\"\n");
-  EXPECT_EQ(parse_assembly(text, "x.toml", installed()).link_shape, LinkShape::capsule);
+  EXPECT_EQ(parse_assembly(text, "x.toml", test::installed_modules()).link_shape,
+            LinkShape::capsule);
   expect_complaint(assembly_with("shape = \"hull\"", "shape = \"capsule\""),
                    "link.wall: is of hulls; take it out");
   expect_complaint(assembly_with("shape = \"hull\"", "shape = \"box\""),
@@ -146,7 +141,8 @@ TEST(AssemblyFile, LinksMayBeCapsules) {
 
 TEST(AssemblyFile, MayBeToBePrinted) {
   const auto read = [&](const std::string& tables) {
-    return parse_assembly(assembly_with("[link]\n", tables + "[link]\n"), "x.toml", installed());
+    return parse_assembly(assembly_with("[link]\n", tables + "[link]\n"), "x.toml",
+                          test::installed_modules());
   };
   EXPECT_FALSE(read("").print);
   EXPECT_EQ(read("[print]\n").print.value().bed, PrintLimits{}.bed);
@@ -260,9 +256,9 @@ TEST(AssemblyFile, TellsNothingThatFollowsFromWhatIsRefused) {
 
 TEST(AssemblyFile, TakesItsNameFromTheFile) {
   const std::string text = assembly_with("name = \"dog\"\n", "");
-  EXPECT_EQ(parse_assembly(text, "puppy.toml", installed()).name, "puppy");
+  EXPECT_EQ(parse_assembly(text, "puppy.toml", test::installed_modules()).name, "puppy");
   try {
-    (void)parse_assembly(text, "mein röbot.toml", installed());
+    (void)parse_assembly(text, "mein röbot.toml", test::installed_modules());
     FAIL();
   } catch (const InputError& error) {
     const std::string told = error.what();
@@ -280,7 +276,7 @@ TEST(AssemblyFile, RefusesALinkWithoutLength) {
 }
 
 TEST(AssemblyFile, KnowsAtWhichLinesModulesStand) {
-  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", installed());
+  const Assembly dog = parse_assembly(kWholeAssembly, "x.toml", test::installed_modules());
   EXPECT_EQ(dog.parts[0].line, 11);
   EXPECT_EQ(dog.limbs[0].line, 22);
   EXPECT_EQ(dog.limbs[0].joints[0].line, 29);
@@ -302,11 +298,11 @@ TEST(AssemblyFile, RefusesNamesThatMeetInTheRobot) {
   links.replace(links.find("\"shank\""), 7, "\"b_shank\"");
   expect_complaint(links, "would name link \"b_shank\" of limb \"F\" and link \"shank\" of limb");
   // A foot of two shapes names the second after the limb.
-  const ModuleFile* ball = installed().find_or_null("ball_foot_12");
+  const ModuleFile* ball = test::installed_modules().find_or_null("ball_foot_12");
   ASSERT_NE(ball, nullptr);
   std::string feet = text;
   feet.replace(feet.find("\"F_b\""), 5, "\"F_2\"");
-  Assembly dog = parse_assembly(feet, "dog.toml", installed());
+  Assembly dog = parse_assembly(feet, "dog.toml", test::installed_modules());
   EXPECT_TRUE(name_clashes(dog).empty());
   dog.limbs[0].foot.outline.push_back(ball->module.outline[0]);
   const std::vector<NameClash> clashes = name_clashes(dog);

@@ -13,6 +13,7 @@
 #include "optimizer/design/growth.hpp"
 #include "optimizer/design/inertia.hpp"
 #include "tests/support/source_tree.hpp"
+#include "tests/tools/modules/installed_modules.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/modules/assembly_file.hpp"
 
@@ -20,9 +21,8 @@ namespace legwright {
 namespace {
 
 Assembly example(const std::string& name) {
-  static const ModuleLibrary library({test::kSource / "modules"});
   const auto file = test::kExamples / "assemblies" / (name + ".toml");
-  return parse_assembly(read_file(file), file, library);
+  return parse_assembly(read_file(file), file, test::installed_modules());
 }
 
 class ExampleConnectors : public testing::TestWithParam<const char*> {};

@@ -5,21 +5,19 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/support/source_tree.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
+#include "tests/tools/modules/installed_modules.hpp"
+#include "tests/tools/modules/told.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/modules/assembly_file.hpp"
 
 namespace legwright {
 namespace {
 
-const ModuleLibrary& known_modules() {
-  static const ModuleLibrary library({test::kSource / "modules"});
-  return library;
-}
-
 std::string assembly_doubts(const std::string& text,
-                            const ModuleLibrary& library = known_modules()) {
+                            const ModuleLibrary& library = test::installed_modules()) {
   const Assembly assembly = parse_assembly(text, "dog.toml", library);
   return fmt::format("{}",
                      fmt::join(doubts_on_assembly(assembly, text, "dog.toml", library), "\n"));
@@ -52,18 +50,6 @@ axis = [0, 1, 0]
 offset = [0.0, 0.0, -0.06]
 )";
 
-std::string doubtful_dog_with(const std::string& part, const std::string& by) {
-  std::string text = kPlainDog;
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
-
-void expect_assembly_doubt(const std::string& text, const std::string& part) {
-  const std::string told = assembly_doubts(text);
-  EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
-}
-
 TEST(DoubtfulAssemblies, NoneIsAmongTheExamples) {
   int read = 0;
   for (const auto& entry : std::filesystem::directory_iterator(test::kExamples / "assemblies")) {
@@ -77,40 +63,39 @@ TEST(DoubtfulAssemblies, NoneIsAmongTheExamples) {
 }
 
 TEST(DoubtfulAssemblies, TellLineKeyAndTheUnitThatIsMeant) {
-  expect_assembly_doubt(
-      doubtful_dog_with("mass = 0.12", "mass = 120"),
-      "dog.toml:4: trunk.mass: is 120 kg in 0.336 litres, 357143 kg/m3: modules have up "
-      "to 10000; 120 g are 0.12 kg");
-  expect_assembly_doubt(doubtful_dog_with("[0.14, 0.08, 0.03]", "[1.4, 0.8, 0.3]"),
-                        "dog.toml:3: trunk.size: makes a shape of 0.12 kg in 336 litres");
-  expect_assembly_doubt(
-      doubtful_dog_with("1240", "1.24"),
+  test::expect_told(
+      assembly_doubts(test::with(kPlainDog, "mass = 0.12", "mass = 120")),
+      "dog.toml:4: trunk.mass: is 120 kg in 0.336 litres, 357143 kg/m3; expected at most "
+      "10000; 120 g are 0.12 kg");
+  test::expect_told(assembly_doubts(test::with(kPlainDog, "[0.14, 0.08, 0.03]", "[1.4, 0.8, 0.3]")),
+                    "dog.toml:3: trunk.size: makes a shape of 0.12 kg in 336 litres");
+  test::expect_told(
+      assembly_doubts(test::with(kPlainDog, "1240", "1.24")),
       "dog.toml:6: link.density: is 1.24 kg/m3, less than foam has; 1.24 g/cm3 are 1240 "
       "kg/m3");
-  expect_assembly_doubt(
-      doubtful_dog_with("[0.0, 0.0, 0.03]", "[0, 0, 3.0]"),
-      "dog.toml:9: part.position: is [0, 0, 3] m, 18 times as long as the trunk from "
-      "corner to corner, 0.164 m; in cm it is [0, 0, 0.03] m");
-  expect_assembly_doubt(
-      doubtful_dog_with("foot_offset = [0.0, 0.0, -0.06]", "foot_offset = [0, 0, -4.5]"),
-      "dog.toml:17: limb.foot_offset: is [0, 0, -4.5] m");
-  expect_assembly_doubt(
-      doubtful_dog_with("foot_offset = [0.0, 0.0, -0.06]", "foot_offset = [0, 0, -4.5]"),
-      "in cm it is [0, 0, -0.045] m");
-  expect_assembly_doubt(
-      doubtful_dog_with("\noffset = [0.0, 0.0, -0.06]", "\noffset = [0, 0, -0.6]"),
+  test::expect_told(assembly_doubts(test::with(kPlainDog, "[0.0, 0.0, 0.03]", "[0, 0, 3.0]")),
+                    "dog.toml:9: part.position: is [0, 0, 3] m, 18 times as long as the trunk from "
+                    "corner to corner, 0.164 m; in cm it is [0, 0, 0.03] m");
+  test::expect_told(assembly_doubts(test::with(kPlainDog, "foot_offset = [0.0, 0.0, -0.06]",
+                                               "foot_offset = [0, 0, -4.5]")),
+                    "dog.toml:17: limb.foot_offset: is [0, 0, -4.5] m");
+  test::expect_told(assembly_doubts(test::with(kPlainDog, "foot_offset = [0.0, 0.0, -0.06]",
+                                               "foot_offset = [0, 0, -4.5]")),
+                    "in cm it is [0, 0, -0.045] m");
+  test::expect_told(
+      assembly_doubts(
+          test::with(kPlainDog, "\noffset = [0.0, 0.0, -0.06]", "\noffset = [0, 0, -0.6]")),
       "dog.toml:25: limb.joint.offset: is [0, 0, -0.6] m, 3.7 times as long as the trunk "
       "from corner to corner, 0.164 m; with a digit less it is [0, 0, -0.06] m");
-  expect_assembly_doubt(
-      doubtful_dog_with("[-0.7, 0.7]", "[-40, 40]"),
-      "dog.toml:21: limb.joint.range: is [-40, 40] rad, more than a turn; [-40, 40] "
-      "degrees are [-0.6981, 0.6981] rad");
+  test::expect_told(assembly_doubts(test::with(kPlainDog, "[-0.7, 0.7]", "[-40, 40]")),
+                    "dog.toml:21: limb.joint.range: is [-40, 40] rad, more than a turn; [-40, 40] "
+                    "degrees are [-0.6981, 0.6981] rad");
 }
 
 TEST(DoubtfulAssemblies, TellThoseOfTheirModulesAndFeetThatSlip) {
   const test::TemporaryFolder folder;
   const auto put = [&](const std::string& name, const std::string& part, const std::string& by) {
-    std::string text = read_file(known_modules().find(name).file);
+    std::string text = read_file(test::installed_modules().find(name).file);
     text.replace(text.find(part), part.size(), by);
     write_file(folder.path() / (name + ".toml"), text);
   };

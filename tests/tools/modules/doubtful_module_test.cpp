@@ -5,9 +5,11 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/source_tree.hpp"
+#include "tests/mjcf/robots/robots.hpp"
+#include "tests/tools/modules/installed_modules.hpp"
 #include "tests/tools/modules/linear_text.hpp"
 #include "tests/tools/modules/servo_text.hpp"
+#include "tests/tools/modules/told.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/modules/module_library.hpp"
 #include "tools/task/toml_text.hpp"
@@ -15,25 +17,9 @@
 namespace legwright {
 namespace {
 
-const ModuleLibrary& bought_modules() {
-  static const ModuleLibrary library({test::kSource / "modules"});
-  return library;
-}
-
-std::string servo_text_with(std::string text, const std::string& part, const std::string& by) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
-}
-
 /// What is doubtful about a module, a line each.
 std::string module_doubts(const std::string& text) {
   return fmt::format("{}", fmt::join(parse_module(text, "hs1.toml").doubts, "\n"));
-}
-
-void expect_module_doubt(const std::string& text, const std::string& part) {
-  const std::string told = module_doubts(text);
-  EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
 }
 
 /// What is doubtful about a module of the library with other figures.
@@ -43,7 +29,7 @@ std::string changed_doubts(const ModuleFile& file, const Module& changed) {
 }
 
 TEST(DoubtfulModules, NoneIsInTheLibrary) {
-  for (const ModuleFile& file : bought_modules().modules())
+  for (const ModuleFile& file : test::installed_modules().modules())
     EXPECT_TRUE(file.doubts.empty()) << file.doubts.front();
   EXPECT_EQ(module_doubts(test::kWholeServo), "");
 }
@@ -52,7 +38,7 @@ TEST(DoubtfulModules, NoneIsInTheLibrary) {
 TEST(DoubtfulModules, TellTheUnitsOfDataSheets) {
   constexpr double kToKgCm = 10.1972, kToNcm = 100.0, kToRpm = 9.5493;
   int checked = 0;
-  for (const ModuleFile& file : bought_modules().modules()) {
+  for (const ModuleFile& file : test::installed_modules().modules()) {
     if (file.module.kind != ModuleKind::servo) continue;
     const auto expect = [&](const Module& changed, const std::string& part) {
       const std::string told = changed_doubts(file, changed);
@@ -87,29 +73,29 @@ TEST(DoubtfulModules, TellTheUnitsOfDataSheets) {
 
 TEST(DoubtfulModules, AreToldWithLineAndKey) {
   const std::string& servo = test::kWholeServo;
-  expect_module_doubt(
-      servo_text_with(servo, "stall_torque = 1.1", "stall_torque = 110"),
+  test::expect_told(
+      module_doubts(test::with(servo, "stall_torque = 1.1", "stall_torque = 110")),
       "hs1.toml:16: joint.stall_torque: is 110 N m of a servo of 0.055 kg, 2000 N m/kg, "
       "where servos have up to 65; 110 N cm are 1.1 N m");
-  expect_module_doubt(
-      servo_text_with(servo, "no_load_speed = 6.0", "no_load_speed = 57"),
+  test::expect_told(
+      module_doubts(test::with(servo, "no_load_speed = 6.0", "no_load_speed = 57")),
       "hs1.toml:18: joint.no_load_speed: is 57 rad/s, and 14250 of the motor before its "
       "gears, where motors have up to 3000; 57 rev/min are 5.969 rad/s");
-  expect_module_doubt(
-      servo_text_with(servo, "mass = 0.055", "mass = 55"),
-      "hs1.toml:5: mass: is 55 kg in 0.0288 litres, 1909722 kg/m3: modules have up to "
-      "10000; 55 g are 0.055 kg");
-  expect_module_doubt(servo_text_with(servo, "size = [0.02, 0.04, 0.036]", "size = [2, 4, 3.6]"),
-                      "hs1.toml:10: outline.size: makes a shape of 0.055 kg in 28800 litres");
-  expect_module_doubt(
-      servo_text_with(servo, "range = [-1.5, 1.5]", "range = [-90, 90]"),
+  test::expect_told(module_doubts(test::with(servo, "mass = 0.055", "mass = 55")),
+                    "hs1.toml:5: mass: is 55 kg in 0.0288 litres, 1909722 kg/m3; expected at most "
+                    "10000; 55 g are 0.055 kg");
+  test::expect_told(
+      module_doubts(test::with(servo, "size = [0.02, 0.04, 0.036]", "size = [2, 4, 3.6]")),
+      "hs1.toml:10: outline.size: makes a shape of 0.055 kg in 28800 litres");
+  test::expect_told(
+      module_doubts(test::with(servo, "range = [-1.5, 1.5]", "range = [-90, 90]")),
       "hs1.toml:23: joint.range: is [-90, 90] rad, more than a turn; [-90, 90] degrees are "
       "[-1.571, 1.571] rad");
-  expect_module_doubt(servo_text_with(servo, "turn = 0.1", "turn = 45"),
-                      "attachment.turn: is 45 rad, more than a turn; 45 degrees are 0.7854 rad");
-  expect_module_doubt(
-      servo_text_with(servo, "[joint]\nposition = [0.0, 0.01, 0.018]",
-                      "[joint]\nposition = [0.0, 0.1, 0.18]"),
+  test::expect_told(module_doubts(test::with(servo, "turn = 0.1", "turn = 45")),
+                    "attachment.turn: is 45 rad, more than a turn; 45 degrees are 0.7854 rad");
+  test::expect_told(
+      module_doubts(test::with(servo, "[joint]\nposition = [0.0, 0.01, 0.018]",
+                               "[joint]\nposition = [0.0, 0.1, 0.18]")),
       "hs1.toml:14: joint.position: is 0.1807 m away from the outline of [0.02, 0.04, "
       "0.036] m; with a digit less it is [0, 0.01, 0.018] m");
 }
@@ -117,12 +103,12 @@ TEST(DoubtfulModules, AreToldWithLineAndKey) {
 TEST(DoubtfulModules, TellMillimetresASecondAndCentimetresOfRods) {
   const std::string& rod = test::kWholeLinear;
   EXPECT_EQ(module_doubts(rod), "");
-  expect_module_doubt(servo_text_with(rod, "stroke = 0.05", "stroke = 5.0"),
-                      "slide.stroke: is 5 m of an actuator that is 0.12 m long with its rod in; "
-                      "5 cm are 0.05 m");
-  expect_module_doubt(servo_text_with(rod, "no_load_speed = 0.032", "no_load_speed = 32"),
-                      "slide.no_load_speed: is 32 m/s of the rod, where linear actuators have up "
-                      "to 0.1; 32 mm/s are 0.032 m/s");
+  test::expect_told(module_doubts(test::with(rod, "stroke = 0.05", "stroke = 5.0")),
+                    "slide.stroke: is 5 m of an actuator that is 0.12 m long with its rod in; "
+                    "5 cm are 0.05 m");
+  test::expect_told(module_doubts(test::with(rod, "no_load_speed = 0.032", "no_load_speed = 32")),
+                    "slide.no_load_speed: is 32 m/s of the rod, where linear actuators have up "
+                    "to 0.1; 32 mm/s are 0.032 m/s");
 }
 
 }  // namespace

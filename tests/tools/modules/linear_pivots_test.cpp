@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mjcf/text/input_error.hpp"
-#include "tests/support/source_tree.hpp"
+#include "tests/tools/modules/installed_modules.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/modules/assembly_file.hpp"
 #include "tools/modules/assembly_text.hpp"
@@ -14,11 +14,6 @@ namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-const ModuleLibrary& library_of_pivots() {
-  static const ModuleLibrary library({test::kSource / "modules"});
-  return library;
-}
 
 /// A dog with these words on its hip and on its knee, whose link above is 0.1 m long.
 std::string pivoted_dog(const std::string& hip, const std::string& knee,
@@ -32,7 +27,7 @@ std::string pivoted_dog(const std::string& hip, const std::string& knee,
 }
 
 Assembly read_pivots(const std::string& text) {
-  return parse_assembly(text, "dog.toml", library_of_pivots());
+  return parse_assembly(text, "dog.toml", test::installed_modules());
 }
 
 void expect_pivots_refused(const std::string& text, const std::string& part) {

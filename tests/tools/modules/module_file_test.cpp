@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mjcf/text/input_error.hpp"
+#include "tests/mjcf/robots/robots.hpp"
 #include "tests/tools/modules/servo_text.hpp"
 
 namespace legwright {
@@ -25,10 +26,7 @@ std::string refusal(const std::string& text) {
 
 /// The whole servo with one part of its text replaced, or taken out.
 std::string servo_with(const std::string& part, const std::string& by) {
-  std::string text = kWholeServo;
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), by);
+  return test::with(kWholeServo, part, by);
 }
 
 void expect_refusal(const std::string& text, const std::vector<std::string>& parts) {

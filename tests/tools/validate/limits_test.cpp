@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/json_file.hpp"
@@ -123,14 +126,20 @@ TEST(LimitsFile, WhatCannotBePlayedIsRefusedWithItsRange) {
 }
 
 TEST(LimitsFile, LimitsOnTheWrongSideAreRefused) {
-  for (const char* text :
-       {"tilt.high = -0.1", "power.low = -1", "saturated_share.high = 1.5", "self_contact.low = 2",
-        "heading_drift_per_cycle.high = -0.01", "standing_speed.high = -1"}) {
-    const std::string told = complaint(text),
-                      key = std::string(text).substr(0, std::string(text).find(' '));
-    EXPECT_NE(told.find("my.toml:1: " + key + ": is "), std::string::npos) << text << ": " << told;
-    EXPECT_NE(told.find("; expected 0 <= "), std::string::npos) << told;
-  }
+  /// On the second line of the file, each with its key.
+  const auto expect_refused = [](const std::vector<std::string>& texts,
+                                 const std::vector<std::string>& parts) {
+    for (const std::string& text : texts) {
+      const std::string told = complaint("# mine\n" + text), key = text.substr(0, text.find(' '));
+      EXPECT_NE(told.find("my.toml:2: " + key + ": is "), std::string::npos) << text << told;
+      for (const std::string& part : parts)
+        EXPECT_NE(told.find(part), std::string::npos) << part << " in\n" << told;
+    }
+  };
+  expect_refused(
+      {"tilt.high = -0.1", "power.low = -1", "saturated_share.high = 1.5", "self_contact.low = 2",
+       "heading_drift_per_cycle.high = -0.01", "standing_speed.high = -1"},
+      {"; expected 0 <= "});
   EXPECT_NE(complaint("[tilt]\nhigh = 0")
                 .find("my.toml:2: tilt.high: nothing would pass: it must "
                       "stay below 0; expected more than 0"),
@@ -138,16 +147,11 @@ TEST(LimitsFile, LimitsOnTheWrongSideAreRefused) {
       << complaint("[tilt]\nhigh = 0");
   EXPECT_EQ(complaint("missed_stances.high = 0"), "");
   EXPECT_EQ(complaint("slowest_cycle.low = -0.1\nfoot_clearance.low = -0.001"), "");
-  for (const char* text : {"margin.mass.low = 1.2", "margin.mass.high = 0.9",
-                           "margin.gains.low = 2", "margin.delay.low = 0.001",
-                           "margin.initial_roll.low = 0.05", "margin.push_left.high = -0.1",
-                           "margin.slope_along.high = -0.05", "margin.ground_sink.low = 0.001"}) {
-    const std::string told = complaint(std::string("# mine\n") + text),
-                      key = std::string(text).substr(0, std::string(text).find(' '));
-    EXPECT_NE(told.find("my.toml:2: " + key + ": is "), std::string::npos) << text << ": " << told;
-    EXPECT_NE(told.find(" what is planned ("), std::string::npos) << told;
-    EXPECT_NE(told.find("to which the robot must walk; give one "), std::string::npos) << told;
-  }
+  expect_refused(
+      {"margin.mass.low = 1.2", "margin.mass.high = 0.9", "margin.gains.low = 2",
+       "margin.delay.low = 0.001", "margin.initial_roll.low = 0.05", "margin.push_left.high = -0.1",
+       "margin.slope_along.high = -0.05", "margin.ground_sink.low = 0.001"},
+      {" what is planned (", "to which the robot must walk; give one "});
   EXPECT_NE(complaint("margin.mass.low = 1.2")
                 .find("is 1.2, above what is planned (1): low is a value down to which the robot "
                       "must walk; give one of at most 1, or call it high"),
