@@ -17,14 +17,14 @@ constexpr double kLeastShareOfArm = 0.25;  // of the most, at the ends of the ra
 constexpr double kAngles = 100.0;          // tried in a radian
 constexpr double kStrokeGrain = 1e-9;      // [m]
 constexpr double kRiseTime = 0.03;         // [s], of motor and gears without load
-constexpr double kAlong = 1e-9;            // [m]: no way across an axis
+constexpr double kNoWayAcross = 1e-9;      // [m]: no way across an axis
 
 Vector3d across(const Vector3d& axis, const Vector3d& v) { return v - axis.dot(v) * axis; }
 
 /// A unit vector square to the axis along the way to the joint above; of hinges about it another.
 Vector3d way_above(const AssemblyJoint& joint) {
   const Vector3d way = across(joint.axis, -joint.offset);
-  return way.norm() > kAlong ? way.normalized() : joint.axis.unitOrthogonal();
+  return way.norm() > kNoWayAcross ? way.normalized() : joint.axis.unitOrthogonal();
 }
 
 Vector3d turned_lever(const AssemblyJoint& joint, const LinearPivots& pivots, double angle) {
@@ -95,7 +95,7 @@ Eigen::Isometry3d linear_pose(const AssemblyJoint& joint) {
   const LinearPivots pivots = pivots_of(joint);
   const auto frame = [](const Vector3d& along, const Vector3d& wanted) {
     const Vector3d rest = across(along, wanted);
-    const Vector3d side = rest.norm() > kAlong ? rest.normalized() : along.unitOrthogonal();
+    const Vector3d side = rest.norm() > kNoWayAcross ? rest.normalized() : along.unitOrthogonal();
     Eigen::Matrix3d out;
     out << along, side, along.cross(side);
     return out;

@@ -12,7 +12,7 @@
 namespace legwright {
 namespace {
 
-constexpr double kGrain = 1e12;  // per m
+constexpr double kGrainsPerMetre = 1e12;  // per m
 
 std::string attachment_words(const Attachment& at, const ModulePlace& place) {
   Eigen::VectorXd numbers(6 + 3 * static_cast<Eigen::Index>(at.holes.size()));
@@ -20,7 +20,7 @@ std::string attachment_words(const Attachment& at, const ModulePlace& place) {
   for (std::size_t k = 0; k < at.holes.size(); ++k)
     numbers.segment<3>(6 + 3 * static_cast<Eigen::Index>(k)) = place.point(at.holes[k]);
   for (double& number : numbers) {
-    number = std::round(number * kGrain) / kGrain;
+    number = std::round(number * kGrainsPerMetre) / kGrainsPerMetre;
     if (number == 0.0) number = 0.0;  // no negative zero
   }
   return fmt::format(" | {} {}{}: {}", at.on_horn ? "horn" : "body", at.name,

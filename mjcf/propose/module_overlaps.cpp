@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarther = 1e-3;         // [m]: distances beyond need not be known
+constexpr double kNotNear = 1e-3;         // [m]: distances beyond need not be known
 constexpr double kAlongOneAxis = 0.95;    // cosine
 constexpr std::size_t kMostOverlaps = 4;  // of a robot's overlaps
 
@@ -57,7 +57,7 @@ class Overlaps {
         if (are_far(one, other)) continue;
         std::array<mjtNum, 6> ends{};
         const double depth =
-            -mj_geomDistance(&model_, data_.get(), one, other, kFarther, ends.data());
+            -mj_geomDistance(&model_, data_.get(), one, other, kNotNear, ends.data());
         if (depth <= out.depth) continue;
         out.depth = depth;
         out.along = (Points(ends.data() + 3) - Points(ends.data())).normalized();

@@ -31,7 +31,7 @@ constexpr std::array kBentTo{0.87, 0.93, 0.97};       // of a leg's reach downwa
 constexpr double kSprawlsTo = 0.4, kBesideHip = 0.5;  // the same, and outwards, of one that sprawls
 constexpr double kStretched = 0.97;                   // a leg that reaches so far is straight
 constexpr double kFolded = 0.35;         // a leg whose foot is under its hip and reaches no farther
-constexpr double kFlat = 0.12;           // of its reach: a leg whose foot is no lower lies flat
+constexpr double kLiesFlat = 0.12;       // of its reach: a leg whose foot is no lower lies flat
 constexpr double kOffTheFeet = 0.2;      // of the reach: so far off their middle it tips
 constexpr double kUnderHip = 0.3;        // of its reach: what is under a hip
 constexpr double kUnevenEnds = 0.25;     // of the reach: ends of legs at different heights
@@ -153,7 +153,7 @@ class PoseFinder {
                          *high - *low);
     if (trunk_at_home_ <= *low + kAsLowAsFeet) return "the trunk is there as low as its feet";
     if (folded) return "its legs are folded there";
-    if (hanging < kFlat) return "its legs lie flat there, feet as high as hips";
+    if (hanging < kLiesFlat) return "its legs lie flat there, feet as high as hips";
     if (home_keyframe(model_) >= 0 || legs_.size() < kTooFewToBend) return "";
     if (stretched > kStretched) return "the file has no keyframe and draws its legs stretched out";
     if (com_off_feet_ > kOffTheFeet * reach)

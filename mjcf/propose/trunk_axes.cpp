@@ -35,6 +35,7 @@ constexpr double kFarBelow = 0.15;       // of the leg's length: a foot below it
 constexpr std::size_t kThreeFeet = 3;    // have a plane
 constexpr double kToesBelow = 0.5;       // of what legs hang down: below hips of a lying robot
 constexpr double kNoTurn = 1e-9;         // a rounding error of a turn
+constexpr int kArm = 1;                  // chain of the legs' build may point up: an arm, a tail
 
 /// The turns that lead axes to axes, as w x y z in whole numbers.
 std::vector<std::array<int, 4>> axis_turns() {
@@ -92,10 +93,11 @@ class AxesFinder {
       if (home.legs > 0 && up != Vector3d::UnitZ()) return told(up, home, true);
     }
     const Held as_drawn = held_as(Quaterniond::Identity());
+    const std::vector<SearchedLeg> all = legs_of_one_build(model_, trunk_, *data_);
     for (const Vector3d& up :
          {Vector3d(0, 1, 0), Vector3d(0, -1, 0), Vector3d(1, 0, 0), Vector3d(-1, 0, 0)})
       if (const Held held = held_as(Quaterniond::FromTwoVectors(up, Vector3d::UnitZ()));
-          held.legs >= kThreeFeet && held.legs > as_drawn.legs)
+          held.legs >= kThreeFeet && held.legs > as_drawn.legs && pointing_up(all) <= kArm)
         return told(up, held, false);
     return as_drawn.legs <= 2 ? lying_on_two(as_drawn.below) : std::nullopt;
   }
@@ -126,6 +128,16 @@ class AxesFinder {
                         sign, "xyz"[axis], name_of(model_, mjOBJ_BODY, trunk_), held.legs,
                         held.below, stands ? ", and so the home pose has it" : ""),
             turn_upright(up, stands ? drawn_ : Quaterniond::Identity()), stands};
+  }
+
+  /// How many legs end above their hips as the trunk is held: those of the other side, where all
+  /// are drawn stretched out sideways.
+  std::ptrdiff_t pointing_up(const std::vector<SearchedLeg>& legs) const {
+    return std::count_if(legs.begin(), legs.end(), [this](const SearchedLeg& leg) {
+      const Vector3d hip = vector_at(data_->xanchor, leg.joints.front());
+      const Vector3d along = leg.touch(model_, *data_) - hip;
+      return along.z() > kFarBelow * along.norm();
+    });
   }
 
   Held held_as(const Quaterniond& trunk) {

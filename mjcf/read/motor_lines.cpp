@@ -12,7 +12,7 @@
 namespace legwright {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of torques: files have six digits
+constexpr double kTorqueDigits = 1e-6;  // of torques: files have six digits
 
 MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
   const std::string_view data = attribute(numeric, "data");
@@ -45,7 +45,7 @@ void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vecto
                                             joint));
     const MotorLine line = line_of(xml, *numeric);
     if (std::isfinite(servo->torque_limit) &&
-        line.stall_torque < (1.0 - kRounding) * servo->torque_limit)
+        line.stall_torque < (1.0 - kTorqueDigits) * servo->torque_limit)
       throw xml.error(*numeric, fmt::format("has {0} {3} at rest, less than the {4} limit of "
                                             "actuator '{1}', {2} {3}; lower its forcerange",
                                             line.stall_torque, servo->actuator, servo->torque_limit,

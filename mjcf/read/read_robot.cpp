@@ -14,6 +14,7 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/servos.hpp"
 #include "mjcf/read/stretch.hpp"
+#include "mjcf/read/time_step.hpp"
 #include "mjcf/read/tree.hpp"
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
@@ -120,6 +121,7 @@ RobotModel parse_text(const std::string& xml_text, const std::filesystem::path& 
   check_arms(*xml, tendons, robot.morphology, declared.space);
   robot.servos = read_servos(*xml, *model, structure, robot.morphology, declared.space.initial());
   read_motor_lines(*xml, structure, robot.servos);
+  read_mobility(*model, file, robot.servos);
   for (int a = 0; a < robot.morphology.joint_count(); ++a) {
     Joint& joint = robot.morphology.links[a + 1].joint;
     joint.line = robot.servos[a].line;

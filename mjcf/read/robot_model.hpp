@@ -45,6 +45,8 @@ struct Servo {
   std::optional<MotorLine> line = {};  // read/motor_lines
   double lag = 0.0;                    // of the file's actuator behind its control [s]
   bool integrates = false;             // whether that control is a rate
+  double arm = 1.0;                    // of a linear actuator in the home pose [m]; else one [-]
+  double mobility = 0.0;               // read/time_step [1/(kg m²)]
 };
 
 /// Gains of a servo to which nobody gave any: the error at which it gives all it has [rad], and kd

@@ -304,9 +304,10 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
       continue;
     }
     const int actuator = found->second;
+    const double arm = home_arm(model, morphology, s, actuator);
     try {
-      servos.push_back(read_servo(xml, model, actuator, elements[actuator], joint,
-                                  kFullTorqueError * home_arm(model, morphology, s, actuator)));
+      servos.push_back(
+          read_servo(xml, model, actuator, elements[actuator], joint, kFullTorqueError * arm));
     } catch (const InputError& error) {
       reasons.add(error);
       continue;
@@ -315,6 +316,7 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
         joint_through_tendon(model, actuator) < 0)
       servos.back().tendon =
           name_of(model, mjOBJ_TENDON, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
+    servos.back().arm = arm;
     const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
     servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
   }

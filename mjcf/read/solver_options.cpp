@@ -9,10 +9,10 @@ namespace legwright {
 namespace {
 
 /// What scenes have in place of MuJoCo's defaults.
-mjOption scene_options() {
+mjOption scene_options(double time_step) {
   mjOption option;
   mj_defaultOption(&option);
-  option.timestep = 0.001;
+  option.timestep = time_step;
   option.integrator = mjINT_IMPLICITFAST;
   option.cone = mjCONE_ELLIPTIC;
   option.impratio = 10;
@@ -88,10 +88,10 @@ const std::vector<SolverSetting>& flags() {
 
 }  // namespace
 
-std::vector<OverriddenOption> overridden_options(const mjOption& robot) {
+std::vector<OverriddenOption> overridden_options(const mjOption& robot, double time_step) {
   mjOption defaults;
   mj_defaultOption(&defaults);
-  const mjOption scene = scene_options();
+  const mjOption scene = scene_options(time_step);
   std::vector<OverriddenOption> out;
   for (const auto* table : {&attributes(), &flags()})
     for (const SolverSetting& setting : *table) {
@@ -102,8 +102,8 @@ std::vector<OverriddenOption> overridden_options(const mjOption& robot) {
   return out;
 }
 
-void set_solver(tinyxml2::XMLElement& option, const mjOption& robot) {
-  const mjOption scene = scene_options();
+void set_solver(tinyxml2::XMLElement& option, const mjOption& robot, double time_step) {
+  const mjOption scene = scene_options(time_step);
   for (const SolverSetting& setting : attributes())
     if (const std::string text = setting.text(scene); setting.always || text != setting.text(robot))
       option.SetAttribute(setting.name, text.c_str());

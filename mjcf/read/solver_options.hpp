@@ -18,11 +18,13 @@ struct OverriddenOption {
 /// files that are tuned for many robots at once on a GPU have a solver of one iteration, with which
 /// contacts give way and every robot falls. In the order of MuJoCo's documentation; what the file
 /// leaves at MuJoCo's default is not listed.
-std::vector<OverriddenOption> overridden_options(const mjOption& robot);
+/// @param time_step of the scenes [s]
+std::vector<OverriddenOption> overridden_options(const mjOption& robot, double time_step);
 
 /// Writes step, integrator, cone and impratio of a scene into its own <option>, and every other
 /// setting that the robot's file has otherwise than a scene may have it.
-void set_solver(tinyxml2::XMLElement& option, const mjOption& robot);
+/// @param time_step of the scene [s]
+void set_solver(tinyxml2::XMLElement& option, const mjOption& robot, double time_step);
 
 /// "scenes have options of their own: iterations 100 (its file has 1), …"; empty where nothing is
 /// overridden.

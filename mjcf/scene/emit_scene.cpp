@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/read/time_step.hpp"
 #include "mjcf/scene/gait_plugin.hpp"
 #include "mjcf/scene/played_robot.hpp"
 #include "mjcf/scene/scene_parts.hpp"
@@ -224,7 +225,7 @@ std::string emit_scene(const RobotModel& robot, const std::string& design_xml,
   add_followers(const_cast<XmlElement&>(*trunk_element), view, rotation_at(model->body_quat, trunk),
                 has_light(*model));
   replace_servos(root, robot, settings.gain_scale);
-  add_settings(root, *model, view);
+  add_settings(root, *model, view, step_of_scenes(robot.servos));
   const std::string floor = add_floor(root, *model, view, settings.floor_friction);
   add_side_camera(root, view);
   add_sensors(root, robot.morphology, floor);

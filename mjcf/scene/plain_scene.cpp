@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/scene/plain_scene.hpp"
 
+#include "mjcf/read/time_step.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/scene/scene_parts.hpp"
 #include "mjcf/scene/surroundings.hpp"
@@ -32,7 +33,7 @@ std::string plain_scene(const RobotModel& robot, const std::string& robot_xml,
   tinyxml2::XMLElement& root = *dom.RootElement();
   root.SetAttribute("model", (robot_file.substr(0, robot_file.rfind('.')) + " scene").c_str());
   add(root, "include").SetAttribute("file", robot_file.c_str());
-  add_settings(root, *model, view);
+  add_settings(root, *model, view, step_of_scenes(robot.servos));
   if (!has_ground(*model)) add_floor(root, *model, view, friction);
   add_side_camera(root, view, unused_name(*model, mjOBJ_CAMERA, "side"));
   if (!has_light(*model)) add_light(*root.FirstChildElement("worldbody"));

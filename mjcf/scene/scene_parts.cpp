@@ -121,8 +121,8 @@ bool has_light(const mjModel& robot) {
                      [](mjtBool active) { return active; });
 }
 
-void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view) {
-  set_solver(add(root, "option"), robot.opt);
+void add_settings(XMLElement& root, const mjModel& robot, const SceneView& view, double time_step) {
+  set_solver(add(root, "option"), robot.opt, time_step);
   XMLElement& visual = add(root, "visual");
   XMLElement& global = add(visual, "global");
   set(global, "offwidth", "1280");

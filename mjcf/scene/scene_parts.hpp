@@ -27,8 +27,9 @@ SceneView scene_view(const Morphology& morphology, const Eigen::VectorXd& s,
                      const Eigen::Vector3d& travel, const Eigen::Vector3d& up);
 
 /// Adds <option>, <visual>, <statistic>. An arrow of the robot's weight is 2.5 legs long. The head
-/// light is the robot's where it brings a light.
-void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view);
+/// light is the robot's where it brings a light. @param time_step [s]
+void add_settings(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,
+                  double time_step);
 /// Adds floor and sky. The floor's contact settings hold against any of the robot's.
 /// @return the floor's name: "floor" where the robot has no geom of this name
 std::string add_floor(tinyxml2::XMLElement& root, const mjModel& robot, const SceneView& view,

@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMostSupports = 100;
-constexpr double kNearEnough = 1e-10;  // of the size
-constexpr double kFlat = 1e-15;        // of the product of the edges' squares
+constexpr double kNearEnough = 1e-10;    // of the size
+constexpr double kFlatTriangle = 1e-15;  // of the product of the edges' squares
 
 /// The point of a list that lies farthest in a direction.
 const Vector3d& farthest_along(const std::vector<Vector3d>& points, const Vector3d& direction) {
@@ -55,7 +55,7 @@ bool nearest_by_edges(const Simplex& corners, Vector3d& nearest) {
   double determinant = 0.0;
   bool spans_it = false;
   square.computeInverseAndDetWithCheck(inverse, determinant, spans_it,
-                                       kFlat * square.diagonal().prod());
+                                       kFlatTriangle * square.diagonal().prod());
   if (!spans_it) return false;
   const Eigen::Matrix<double, N, 1> shares = inverse * (edges.transpose() * -corners[0]);
   if (shares.minCoeff() < 0.0 || shares.sum() > 1.0) return false;

@@ -25,7 +25,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kFlat = 1e-4;  // of a box's longest side: it has no volume
+constexpr double kFlatBox = 1e-4;  // of a box's longest side: it has no volume
 // Of the box with a mesh's own moments: sizes that are tried until it lies within the hull.
 constexpr double kLargest = 0.5, kSmallest = 1.0 / 32.0;
 
@@ -53,7 +53,7 @@ std::optional<HullMesh> hull_mesh(const mjModel& model, int mesh, int body) {
   const Vector3d inertia = vector_at(model.body_inertia, body);
   const Vector3d squares =
       (1.5 / mass) * (Vector3d::Constant(inertia.sum()) - 2.0 * inertia);  // of half sides
-  if (!(squares.minCoeff() > kFlat * kFlat * squares.maxCoeff())) return std::nullopt;
+  if (!(squares.minCoeff() > kFlatBox * kFlatBox * squares.maxCoeff())) return std::nullopt;
   const HullGraph graph(model, mesh);
   const auto vertex = [&](int id) { return mesh_vertex(model, mesh, id); };
   double share = kLargest;

@@ -23,7 +23,7 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-constexpr XmlLimits kLimits{std::size_t{64} << 20, std::size_t{1} << 20, 200'000, 90};
+constexpr XmlLimits kColladaLimits{std::size_t{64} << 20, std::size_t{1} << 20, 200'000, 90};
 constexpr int kDeepest = 32;            // nodes that show others
 constexpr double kFarthestPoint = 1e6;  // [m]
 // Numbers read, parts shown and corners placed: some ten times what parts of robots have.
@@ -44,7 +44,7 @@ std::string_view text_of(const XmlElement& element) {
 class ColladaReader {
  public:
   ColladaReader(std::string text, const std::filesystem::path& file)
-      : xml_(load_xml(std::move(text), file, kLimits)) {}
+      : xml_(load_xml(std::move(text), file, kColladaLimits)) {}
 
   DrawnMesh run() {
     const XmlElement& root = xml_->root();

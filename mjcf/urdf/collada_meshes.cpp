@@ -14,8 +14,8 @@
 namespace legwright {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
-constexpr double kFlat = 1e-5;  // thickness over width
+constexpr std::uintmax_t kMostBytesOfMesh = std::uintmax_t{64} << 20;
+constexpr double kFlatMesh = 1e-5;  // thickness over width
 
 bool is_flat(const DrawnMesh& mesh) {
   const auto count = static_cast<Eigen::Index>(mesh.vertices.size() / 3);
@@ -25,7 +25,7 @@ bool is_flat(const DrawnMesh& mesh) {
   const Eigen::Matrix3Xd off = points.colwise() - points.rowwise().mean();
   const Eigen::Vector3d squares =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(off * off.transpose()).eigenvalues();
-  return !(squares[0] > kFlat * kFlat * squares[2]);
+  return !(squares[0] > kFlatMesh * kFlatMesh * squares[2]);
 }
 
 }  // namespace
@@ -45,11 +45,11 @@ const ColladaMesh* ColladaMeshes::find(const std::string& path) {
 
 ColladaMesh ColladaMeshes::read(const std::string& path, int triangles) const {
   ColladaMesh out;
-  const FoundFile found = find_file(folder_, path, kMostBytes, reach_);
+  const FoundFile found = find_file(folder_, path, kMostBytesOfMesh, reach_);
   out.fault = found.fault;
   if (!out.fault.empty()) return out;
   try {
-    out.mesh = read_collada(read_regular_file(found.source, kMostBytes), found.source);
+    out.mesh = read_collada(read_regular_file(found.source, kMostBytesOfMesh), found.source);
   } catch (const InputError& error) {
     out.fault = fmt::format("is no Collada that can be read: {}", error.what());
     return out;

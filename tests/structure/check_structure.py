@@ -8,7 +8,7 @@ from the root
 - each source has an SPDX line, at most 400 lines, and (if .cpp) is named by a CMakeLists.txt
 - optimizer/terms/ and the table in its registry.cpp name the same terms
 - numbers are never read by functions that depend on the locale or stop at the first odd character
-- libraries do not print
+- libraries do not print, and their constants have names of their own
 Prints one line per finding (file:line: what, and what would be right) and exits 1 if there is any.
 """
 
@@ -18,6 +18,7 @@ import re
 import sys
 
 LINE_LIMIT = 400
+NAMED = re.compile(r'\b(k[A-Z]\w*)(?:\[[^]]*\])?\s*[={]')  # a constant, where it is defined
 FOLDERS = (
     'optimizer',
     'mjcf',
@@ -269,6 +270,7 @@ class Check:
             self.source(path, path.relative_to(self.root).as_posix())
         self.terms()
         self.header_names([p for p in sources if p.suffix == '.hpp'])
+        self.constants([p for p in sources if p.suffix == '.cpp'])
         return self.findings
 
     def header_names(self, headers):
@@ -281,6 +283,20 @@ class Check:
             if path.name in seen:
                 self.report(name, 1, f'a header of this name is there already: {seen[path.name]}')
             seen.setdefault(path.name, name)
+
+    def constants(self, sources):
+        """Files of a library are compiled sixteen at a time: which ones meet, nobody chooses."""
+        seen = {}
+        for path in sources:
+            name = path.relative_to(self.root).as_posix()
+            if not name.startswith(('optimizer/', 'mjcf/', 'tools/')) or '/kernels_' in name:
+                continue
+            library = name[: name.rfind('/')] if name.startswith('tools/') else name.split('/')[0]
+            for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), 1):
+                for constant in NAMED.findall(line) if line.startswith('constexpr ') else ():
+                    first = seen.setdefault((library, constant), name)
+                    if first != name:
+                        self.report(name, number, f'{constant} is in {first}: name it otherwise')
 
     def source(self, path, name):
         text = path.read_text(encoding='utf-8')

@@ -13,6 +13,7 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/read/servos.hpp"
 #include "mjcf/read/solver_options.hpp"
+#include "mjcf/read/time_step.hpp"
 #include "mjcf/read/world_parts.hpp"
 #include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
@@ -230,9 +231,10 @@ std::string standing_notes(const ProposedParameters& found) {
 std::string file_notes(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   std::string text;
-  for (const std::string& note : {describe_surroundings(surroundings_of(*model)),
-                                  describe_overridden(overridden_options(model->opt)),
-                                  describe_skins(*model), describe_dynamics(robot.servos)})
+  for (const std::string& note :
+       {describe_surroundings(surroundings_of(*model)),
+        describe_overridden(overridden_options(model->opt, step_of_scenes(robot.servos))),
+        describe_skins(*model), describe_dynamics(robot.servos), describe_step(robot.servos)})
     if (!note.empty()) text += "  " + note + "\n";
   return text;
 }

@@ -134,12 +134,13 @@ VerdictRecord verdict_record(const JudgedRun& judged, const TaskOfRun& task, con
 }
 
 /// What the scenes set otherwise than the robot's file; of a run without that file nothing.
-std::vector<OverriddenOption> overridden_in(const ResultFolder& folder) {
+/// @param time_step of the scenes [s]
+std::vector<OverriddenOption> overridden_in(const ResultFolder& folder, double time_step) {
   const fs::path robot = folder.result() / "robot.xml";
   if (!fs::exists(robot)) return {};
   const RobotFiles files = RobotFiles::read(robot);
   return overridden_options(
-      files.at_their_lines([&] { return options_of_mjcf(files.text(), files.file()); }));
+      files.at_their_lines([&] { return options_of_mjcf(files.text(), files.file()); }), time_step);
 }
 
 /// What of the designed body touches itself in the home pose that did not before. A run without the
@@ -161,7 +162,7 @@ void play_and_judge(const ResultFolder& folder, const TaskOfRun& task,
   judge_further(task, scenes[1], options, judged);
   judged.metrics = metrics_record(task, options.validation, scenes, judged.designs);
   judged.home_touches = home_touches_of(folder);
-  judged.overridden = overridden_in(folder);
+  judged.overridden = overridden_in(folder, judged.designs[1].timestep);
 }
 
 /// What the body was to lower, as measured, goes into run.json beside what the plans have of it.

@@ -181,9 +181,10 @@ TEST(LinkHulls, TellWhereThereIsNoRoom) {
   const BuiltRobot built = build_robot(assembly, "dog.xml");
   const std::vector<std::string> of_overlaps = overlap_notes(assembly, built.overlaps);
   for (const std::string& note : built.notes)
-    if (std::find(of_overlaps.begin(), of_overlaps.end(), note) == of_overlaps.end())
+    if (std::find(of_overlaps.begin(), of_overlaps.end(), note) == of_overlaps.end()) {
       EXPECT_NE(note.find("nearer to the servo that turns them than 4 mm"), std::string::npos)
           << note;
+    }
   EXPECT_GE(built.found.model.connectors.size(), 8u);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/trunk_axes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,6 +91,32 @@ TEST(TrunkAxes, OfAHexapodDrawnOnItsSideAreTurned) {
   EXPECT_EQ(found.limbs.size(), 6U);
   EXPECT_TRUE(std::any_of(found.proposals.begin(), found.proposals.end(),
                           [](const Proposal& p) { return p.name == "body_length"; }));
+}
+
+/// A hexapod that a file without keyframe draws with its legs stretched out level to both sides.
+std::string drawn_flat(double half_width) {
+  std::string legs;
+  for (const auto& [name, x, side] :
+       {std::tuple{"fl", .3, 1}, std::tuple{"fr", .3, -1}, std::tuple{"ml", 0., 1},
+        std::tuple{"mr", 0., -1}, std::tuple{"hl", -.3, 1}, std::tuple{"hr", -.3, -1}})
+    legs += fmt::format(
+        R"(<body pos="{1} {2} 0" euler="0 0 {3}"><joint name="{0}_yaw" axis="0 0 1"/>
+        <inertial pos="0 0 0" mass=".1" diaginertia="1e-4 1e-4 1e-4"/>
+        <body><joint name="{0}_lift" axis="0 1 0"/>
+        <inertial pos=".1 0 0" mass=".1" diaginertia="1e-4 5e-4 5e-4"/>
+        <body pos=".2 0 0"><joint name="{0}_knee" axis="0 1 0"/>
+        <inertial pos=".1 0 0" mass=".1" diaginertia="1e-4 5e-4 5e-4"/>
+        <geom size=".02" pos=".2 0 0"/></body></body></body>)",
+        name, x, side * half_width, 90 * side);
+  return fmt::format(R"(<mujoco><worldbody><body name="trunk" pos="0 0 .3"><freejoint/>
+                     <geom type="box" size=".3 {} .03" mass="4"/>)",
+                     half_width) +
+         legs + "</body></worldbody></mujoco>";
+}
+
+TEST(TrunkAxes, OfAWideHexapodDrawnFlatHaveZUp) {
+  for (const double half_width : {0.05, 0.2})  // a wide one's other legs hang higher on its side
+    EXPECT_FALSE(axes_of(files_of(drawn_flat(half_width)))) << half_width;
 }
 
 TEST(TrunkAxes, AreFoundAlongEachDirection) {

@@ -101,13 +101,32 @@ TEST(EmitScene, OptionsThatStarveContactsAreOverriddenAndTold) {
   EXPECT_EQ(scene->opt.timestep, 0.001);
   EXPECT_EQ(scene->opt.disableflags & mjDSBL_CONTACT, 0);
   const std::string told =
-      describe_overridden(overridden_options(options_of_mjcf(robot.xml, robot.file)));
+      describe_overridden(overridden_options(options_of_mjcf(robot.xml, robot.file), 0.001));
   for (const char* part : {"timestep 0.001 (its file has 0.004)", "(its file has 1)",
                            "(its file has 4)", "contact enable (its file has disable)"})
     EXPECT_NE(told.find(part), std::string::npos) << told;
   EXPECT_EQ(told.find("impratio"), std::string::npos) << told;
   const RobotModel plain = parse_robot(test::named_robot("puppy"), "puppy.xml");
-  EXPECT_EQ(describe_overridden(overridden_options(options_of_mjcf(plain.xml, plain.file))), "");
+  EXPECT_EQ(describe_overridden(overridden_options(options_of_mjcf(plain.xml, plain.file), 0.001)),
+            "");
+}
+
+TEST(EmitScene, StepsAreShorterWhereServosDampLightLinks) {
+  const auto with_damping = [](const char* kv) {
+    return parse_robot(
+        test::with(test::with(test::named_robot("puppy"), "armature=\"0.0005\"", "armature=\"0\""),
+                   "kv=\"0.8\"", kv),
+        "puppy.xml");
+  };
+  const RobotModel usual = with_damping("kv=\"0.1\""), damped = with_damping("kv=\"8\"");
+  EXPECT_EQ(compile_scene(emit_scene(usual, usual.xml, settings_for(usual)))->opt.timestep, 0.001);
+  for (const double gains : {0.5, 1.0, 2.0}) {  // one step, whatever gains it is played at
+    SceneSettings settings = settings_for(damped);
+    settings.gain_scale = gains;
+    EXPECT_EQ(compile_scene(emit_scene(damped, damped.xml, settings))->opt.timestep, 0.00025);
+  }
+  EXPECT_NE(plain_scene(damped, damped.xml, "puppy.xml", 0.8).find("timestep=\"0.00025\""),
+            std::string::npos);
 }
 
 /// There the robot's file is included as it is, with its names and its ground.
