@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ReportOptions {
+struct ReportOptions : ReadingOptions {
   std::string run, other, output;
   bool json = false;
 };
@@ -30,6 +30,8 @@ int report_pair(const ReportOptions& options) {
                                                         : fs::path(options.output));
   std::optional<RunLock> lock;
   if (around) lock.emplace(*around);
+  options.check_run(options.run);
+  options.check_run(options.other);
   const fs::path file = write_pair_report(options.run, options.other, options.output);
   if (options.json) {
     fmt::print("{}", to_text(Json{{"schema", "legwright/report-pair"},
@@ -50,6 +52,7 @@ int report(const ReportOptions& options) {
         "of "
         "one run is RUN/report.html");
   const ResultFolder locked = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);  // the page draws its scenes, with their meshes
   const std::vector<std::filesystem::path> pages = write_report(options.run);
   if (options.json) {
     Json document{

@@ -208,6 +208,8 @@ TEST_F(GatheredRun, ConfinedVerbsRefuseARunThatLeadsOut) {
                                                     {"export", "run", "-o", "mine"},
                                                     {"pick", "run", "--iteration", "0"},
                                                     {"render", "run", "--small"},
+                                                    {"report", "run"},
+                                                    {"report", "run", "run"},
                                                     {"play", "run", "--print"}};
   const auto expect_refused = [&](const std::string& why) {
     const auto before = contents("run");
