@@ -233,6 +233,18 @@ TEST_F(GatheredRun, ConfinedVerbsRefuseARunThatLeadsOut) {
   EXPECT_EQ(call({"pick", "run", "--iteration", "0", "--confined"}).code, 0);
 }
 
+TEST_F(GatheredRun, ThePageOfTwoRunsIsNotWrittenThroughALink) {
+  optimize("pkg/mjcf/sideways.toml", "run");
+  write_file(at("mine.txt"), "mine\n");
+  fs::create_symlink(at("mine.txt"), at("run/compare_run.html"));
+  const Outcome linked = call({"report", "run", "run"});
+  EXPECT_EQ(linked.code, 2) << linked.err;
+  EXPECT_TRUE(contains(linked.err, "run/compare_run.html: is a symbolic link")) << linked.err;
+  EXPECT_EQ(read_file(at("mine.txt")), "mine\n");
+  fs::remove(at("run/compare_run.html"));
+  EXPECT_EQ(call({"report", "run", "run"}).code, 0);
+}
+
 TEST_F(GatheredRun, WhatIsNoFileIsRefusedWithWhatItIs) {
   fs::remove(at("pkg/meshes/ear.stl"));
   ASSERT_EQ(::mkfifo(at("pkg/meshes/ear.stl").c_str(), 0600), 0);
