@@ -107,7 +107,7 @@ def codesign(
         front: two tasks: so many points of their trade-off besides the ends and the weights asked
             for, as `design.front`.
         physics_steps: then so many steps on the gait from roll-outs in MuJoCo.
-        reasons: what each change of the body buys, which costs about as much as the search.
+        reasons: what each change of the body buys, which takes up to half of the time.
         certificate: how well the result is an optimum.
         pictures: frame.png of each iteration; needs OpenGL.
         threads: default: all cores; results do not depend on it.

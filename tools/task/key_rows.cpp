@@ -154,21 +154,26 @@ std::vector<TaskKey> keys_of_limits() {
              "Of the floor it is played on."),
       listed("limits.min_normal", {one_number({0.0, 0.5, false, false, ""})}, shared, "0.05", "0.1",
              "Share of the weight that each stance foot carries at least."),
-      listed("limits.swing_height", {one_number({0.0, 1.0, false, false, "m"})}, shared,
-             "0.12 leg lengths (less for legs that crouch), 2.25 `step_over` if that is more",
-             "0.025", "How high a foot is lifted."),
+      listed(
+          "limits.swing_height", {one_number({0.0, 1.0, false, false, "m"})}, shared,
+          "0.12 leg lengths (less for legs that crouch), at most 0.06 g t² for a swing of t; 2.25 "
+          "`step_over` if that is more",
+          "0.025", "How high a foot is lifted."),
       listed("limits.step_over", {one_number({0.0, 0.7, true, false, "m"})}, shared, "none", "0.03",
              "Height of a bar across each step that every foot shall pass over; validation "
              "measures it."),
-      listed("limits.planted_margin", {one_number({0.0, 1.0, false, false, "s"})}, shared,
-             "one knot; 0.24 √(leg / g) for gaits of a duty up to 0.6", "0.04",
-             "That a foot is on the ground before and after it carries load, at least one knot."),
+      listed(
+          "limits.planted_margin", {one_number({0.0, 1.0, false, false, "s"})}, shared,
+          "one knot; 0.24 √(leg / g), at most a sixth of the swing, for gaits of a duty up to 0.6",
+          "0.04",
+          "That a foot is on the ground before and after it carries load, at least one knot."),
       listed("limits.joint_margin", {one_number({0.0, 1.5, false, false, "rad"})}, shared, "0",
              "0.1", "Distance kept from joint limits."),
       listed("limits.torque_margin", {one_number({0.0, 1.0, false, true, ""})}, shared, "0.1",
              "0.2", "Share of each motor's torque limit kept in hand."),
       listed("limits.torque_limit", {one_number({0.0, 1e4, true, false, "N m"})}, shared,
-             "each has its own", "1.5", "Of every motor that has more."),
+             "each has its own", "1.5",
+             "Of every motor that has more; linear actuators keep their force."),
       listed("limits.clearance", {one_number({0.0, 1.0, true, false, "m"})}, shared,
              "0.095 leg lengths", "0.02",
              "Between the centre lines of limbs (from the trunk: by its geoms)."),
@@ -204,8 +209,10 @@ std::vector<TaskKey> keys_of_surroundings() {
 std::vector<TaskKey> keys_of_cost_and_design() {
   using enum KeyScope;
   return {
-      listed("weights.TERM", {one_number(kTermWeightRange)}, shared, "the term's own, below", "0.3",
-             "Of a term of F, by name."),
+      listed(
+          "weights.TERM", {one_number(kTermWeightRange)}, shared, "the term's own, below", "0.3",
+          "Of a term of F, by name. `mechanical_work`, `peak_torque` and `printed_volume` have 0; "
+          "with more they count in F, for body and motion."),
       listed("outer.objective", {one_text()}, file, "none", "\"mechanical_work\"",
              "Outer objective J = weight · v/v₀: the motion minimises F, the body F + J. "
              "`mechanical_work`: v is the positive work of a cycle, v₀ that of the first guess; "

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "mjcf/text/nearest_word.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -19,6 +20,13 @@ std::vector<Eigen::Vector2d> vectors(const std::vector<std::vector<double>>& pai
 }
 
 bool is_array(const toml::node* node) { return node != nullptr && node->is_array(); }
+
+/// Pairs of a file, which are so far ahead and to the left, in the frame of the robot's trunk.
+std::vector<Eigen::Vector2d> in_trunk(std::vector<Eigen::Vector2d> pairs,
+                                      const Eigen::Vector2d& forward) {
+  for (Eigen::Vector2d& pair : pairs) pair = from_facing(pair, forward);
+  return pairs;
+}
 
 std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
                                                          const std::vector<int>& order) {
@@ -48,8 +56,8 @@ std::optional<std::vector<Eigen::Vector2d>> footprint_of(const TaskFile& file,
                     "before right, or "
                     "[half length, half width]",
                     file.footprint.size(), foot_count));
-  for (std::size_t place = 0; place < foot_count; ++place)
-    result[order[place]] = file.footprint[place];
+  const std::vector<Eigen::Vector2d> places = in_trunk(file.footprint, file.forward);
+  for (std::size_t place = 0; place < foot_count; ++place) result[order[place]] = places[place];
   return result;
 }
 
@@ -134,10 +142,12 @@ void apply_style(const TaskFile& file, const Morphology& morphology, const std::
   const std::vector<std::string> joints = joint_names(morphology);
   task.com_height = file.com_height;
   task.com_heights = file.com_heights;
-  task.com_path = file.com_path;
+  task.com_path = in_trunk(file.com_path, file.forward);
   task.footprint = footprint_of(file, order);
   task.foot_targets =
       by_robots_names(file, "style.foot_targets", file.foot_targets, feet, "foot", "its feet are");
+  for (std::vector<Eigen::Vector2d>& places : task.foot_targets)
+    places = in_trunk(std::move(places), file.forward);
   task.foot_heights =
       by_robots_names(file, "style.foot_heights", file.foot_heights, feet, "foot", "its feet are");
   task.joint_angles = by_robots_names(file, "style.joint_angles", file.joint_angles, joints,

@@ -60,7 +60,11 @@ Scene copy_of(const Scene& scene) {
   return copy;
 }
 
-double heading(const mjtNum* rotation) { return std::atan2(rotation[3], rotation[0]); }
+/// Of where the robot faces. @param forward in the heading frame
+double heading(const mjtNum* rotation, const Eigen::Vector2d& forward) {
+  const double yaw = std::atan2(rotation[3], rotation[0]);
+  return forward == Eigen::Vector2d::UnitX() ? yaw : yaw + std::atan2(forward.y(), forward.x());
+}
 
 double lowest_foot(const Scene& scene, const mjData& data) {
   double lowest = INFINITY;
@@ -71,11 +75,13 @@ double lowest_foot(const Scene& scene, const mjData& data) {
 
 /// Turns the robot, which is at rest, about the ground below its centre of mass and lifts it until
 /// its lowest foot is as high as before: it is set down askew.
-void tilt(const Scene& scene, mjData& data, double roll, double pitch) {
+void tilt(const Scene& scene, mjData& data, double roll, double pitch,
+          const Eigen::Vector2d& forward) {
   const mjModel& model = *scene.model;
   mj_kinematics(&model, &data);
   mj_comPos(&model, &data);
-  const double yaw = heading(data.xmat + static_cast<std::ptrdiff_t>(9) * scene.joints.root_body);
+  const mjtNum* const trunk = data.xmat + static_cast<std::ptrdiff_t>(9) * scene.joints.root_body;
+  const double yaw = heading(trunk, forward);
   const double before = lowest_foot(scene, data);
   const mjtNum* com = data.subtree_com + static_cast<std::ptrdiff_t>(3) * scene.joints.root_body;
   const Eigen::Vector3d pivot(com[0], com[1], 0.0);
@@ -92,11 +98,13 @@ void tilt(const Scene& scene, mjData& data, double roll, double pitch) {
   root[2] += before - lowest_foot(scene, data);
 }
 
-/// A constant force for some steps, in the axes that the trunk heads along when it begins.
+/// A constant force for some steps, ahead and to the left as the robot faces when it begins.
 class Push {
  public:
-  Push(const Scene& scene, const Disturbance& disturbance, double time)
+  Push(const Scene& scene, const Disturbance& disturbance, double time,
+       const Eigen::Vector2d& forward)
       : scene_(scene),
+        forward_(forward),
         impulse_(scene.model->body_subtreemass[scene.joints.root_body] *
                  Eigen::Vector2d(disturbance.push_forward, disturbance.push_left)),
         first_(std::llround(time / scene.model->opt.timestep)),
@@ -108,8 +116,9 @@ class Push {
     if (step < 0 || step > steps_ || impulse_.isZero(0.0)) return;
     const int body = scene_.joints.root_body;
     if (step == 0)
-      force_ = Eigen::Rotation2Dd(heading(data.xmat + static_cast<std::ptrdiff_t>(9) * body)) *
-               impulse_ / (static_cast<double>(steps_) * h);
+      force_ =
+          Eigen::Rotation2Dd(heading(data.xmat + static_cast<std::ptrdiff_t>(9) * body, forward_)) *
+          impulse_ / (static_cast<double>(steps_) * h);
     const bool over = step == steps_;
     data.xfrc_applied[static_cast<std::ptrdiff_t>(6) * body] = over ? 0.0 : force_.x();
     data.xfrc_applied[static_cast<std::ptrdiff_t>(6) * body + 1] = over ? 0.0 : force_.y();
@@ -117,16 +126,17 @@ class Push {
 
  private:
   const Scene& scene_;
-  Eigen::Vector2d impulse_, force_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d forward_, impulse_, force_ = Eigen::Vector2d::Zero();
   long long first_, steps_;
 };
 
 }  // namespace
 
-DisturbableScene::DisturbableScene(const std::filesystem::path& file, const Eigen::Vector2d& way)
+DisturbableScene::DisturbableScene(const std::filesystem::path& file, const Eigen::Vector2d& way,
+                                   const Eigen::Vector2d& forward)
     : xml_(read_file(file)),
       folder_(file.parent_path()),
-      way_(way.norm() > 0.0 ? way.normalized() : Eigen::Vector2d::UnitX()),
+      way_(way.norm() > 0.0 ? way.normalized() : forward),
       scene_(parse_scene(xml_, file.string(), 1.0, folder_)) {}
 
 Disturbance DisturbableScene::nothing() const {
@@ -152,20 +162,20 @@ Scene DisturbableScene::with(const Disturbance& disturbance, DelayStep delay_ste
 }
 
 RolloutOptions disturbed_rollout(Scene& scene, const Disturbance& disturbance, int cycles,
-                                 double push_time) {
+                                 double push_time, const Eigen::Vector2d& forward) {
   RolloutOptions options;
   options.cycles = cycles;
   auto delayed = disturbance.delay > 0.0
                      ? std::make_shared<DelayedServos>(*scene.model, disturbance.delay)
                      : nullptr;
-  options.prepare = [&scene, disturbance, delayed](mjData& data) {
+  options.prepare = [&scene, disturbance, delayed, forward](mjData& data) {
     std::fill_n(data.qvel + scene.joints.root_dof, 6, 0.0);
     if (disturbance.roll != 0.0 || disturbance.pitch != 0.0)
-      tilt(scene, data, disturbance.roll, disturbance.pitch);
+      tilt(scene, data, disturbance.roll, disturbance.pitch, forward);
     if (delayed) delayed->take_over();
   };
   if (disturbance.push_forward != 0.0 || disturbance.push_left != 0.0 || delayed) {
-    auto push = std::make_shared<Push>(scene, disturbance, push_time);
+    auto push = std::make_shared<Push>(scene, disturbance, push_time, forward);
     options.step = [&scene, push, delayed](mjData& data, double time) {
       push->apply(data, time);
       if (delayed)

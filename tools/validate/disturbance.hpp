@@ -17,9 +17,9 @@ struct Disturbance {
   double mass_scale = 1.0;      // of all bodies, with their inertia
   double gain_scale = 1.0;      // kp × scale, kd × √scale
   double delay = 0.0;           // from the state that a servo measures to its torque [s]
-  double roll = 0.0;            // of the whole robot at the start, about the trunk's heading [rad]
+  double roll = 0.0;            // of the whole robot at the start, about where it faces [rad]
   double pitch = 0.0;           // nose down [rad]
-  double push_forward = 0.0;    // impulse on the trunk over the robot's mass [m/s]
+  double push_forward = 0.0;    // impulse on the trunk over the robot's mass, as it faces [m/s]
   double push_left = 0.0;       // [m/s]
   double slope_along = 0.0;     // of the floor, uphill the way it shall go at the start [rad]
   double slope_across = 0.0;    // rising to the left of that way [rad]
@@ -33,9 +33,10 @@ enum class DelayStep { scene, fine };
 /// A scene to be played under disturbances. Immutable; any number of threads may use it at once.
 class DisturbableScene {
  public:
-  /// @param way direction of the wanted travel, heading frame; zero is taken for forward. Throws as
-  /// load_scene.
-  DisturbableScene(const std::filesystem::path& file, const Eigen::Vector2d& way);
+  /// @param way direction of the wanted travel, heading frame; zero is taken for forward
+  /// @param forward where the robot faces in that frame. Throws as load_scene.
+  DisturbableScene(const std::filesystem::path& file, const Eigen::Vector2d& way,
+                   const Eigen::Vector2d& forward = Eigen::Vector2d::UnitX());
 
   const Scene& undisturbed() const { return scene_; }
   /// Nothing but the scene's own friction of the floor.
@@ -54,8 +55,9 @@ class DisturbableScene {
 /// trunk starts at rest, set down by hand: on ice a robot would keep the speed of its plan for
 /// ever.
 /// @param scene made by DisturbableScene::with from the same disturbance; outlives the options and
-/// serves one roll-out @param push_time [s]
+/// serves one roll-out @param push_time [s] @param forward where it faces, heading frame
 RolloutOptions disturbed_rollout(Scene& scene, const Disturbance& disturbance, int cycles,
-                                 double push_time);
+                                 double push_time,
+                                 const Eigen::Vector2d& forward = Eigen::Vector2d::UnitX());
 
 }  // namespace legwright

@@ -31,12 +31,13 @@ struct Outcome {
 class Player {
  public:
   Player(const std::filesystem::path& file, const WantedMotion& wanted, int cycles)
-      : scene_(file, wanted.velocity), wanted_(wanted), cycles_(cycles) {}
+      : scene_(file, wanted.velocity, wanted.forward), wanted_(wanted), cycles_(cycles) {}
 
   Outcome play(const Disturbance& disturbance, DelayStep delay_step = DelayStep::scene) const {
     Scene scene = scene_.with(disturbance, delay_step);
     const double push_time = kPushAfter * scene.trajectory.period;
-    const RolloutOptions options = disturbed_rollout(scene, disturbance, cycles_, push_time);
+    const RolloutOptions options =
+        disturbed_rollout(scene, disturbance, cycles_, push_time, wanted_.forward);
     const Measurements run =
         measure(scene, wanted_, Eigen::Vector2d::Zero(), options, {.settle_cycles = kSettleCycles});
     Outcome out{failure(run, wanted_), run.seconds};

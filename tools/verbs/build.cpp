@@ -176,8 +176,8 @@ void add_build(CLI::App& program, Action& action) {
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "The robot declares what may change (lengths of links, length and width of the trunk; axes, "
-      "unless [print] is in\nthe assembly) and has a home pose in which it stands: `legwright "
-      "optimize` takes it as it is.");
+      "with [print] in the\nassembly those that its turn lets) and has a home pose in which it "
+      "stands: `legwright optimize` takes it as it is.");
 }
 
 }  // namespace legwright

@@ -151,8 +151,8 @@ void add_options(CLI::App& verb, OptimizeOptions& options) {
   verb.add_flag("--no-certificate", options.no_certificate,
                 "no result/certificate.json, which costs some hundredths of a second");
   verb.add_flag("--no-reasons", options.no_reasons,
-                "not what each change of the body buys, nor how few of them would do; both cost "
-                "about as much as the search");
+                "not what each change of the body buys, nor how few of them would do, which MuJoCo "
+                "plays, too; both take up to half of the command");
   verb.add_flag("--bilevel", options.bilevel,
                 "solve the motion anew for each body, as the paper's Algorithm 1 does, instead of "
                 "stepping body and motion together");

@@ -12,6 +12,7 @@
 #include "tools/report/report.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_lock.hpp"
+#include "tools/run/run_reach.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {
@@ -19,17 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ReportOptions {
+struct ReportOptions : ReadingOptions {
   std::string run, other, output;
   bool json = false;
 };
 
 /// Two runs side by side.
 int report_pair(const ReportOptions& options) {
-  const auto around = run_around(options.output.empty() ? pair_file(options.run, options.other)
-                                                        : fs::path(options.output));
+  const fs::path page =
+      options.output.empty() ? pair_file(options.run, options.other) : fs::path(options.output);
+  // Of the folder that it lies in: a link in its place may lead out of the run.
+  const auto around = run_around(page.has_parent_path() ? page.parent_path() : fs::path("."));
   std::optional<RunLock> lock;
-  if (around) lock.emplace(*around);
+  if (around) {
+    lock.emplace(*around);
+    check_no_links(*around);
+  }
+  options.check_run(options.run);
+  options.check_run(options.other);
   const fs::path file = write_pair_report(options.run, options.other, options.output);
   if (options.json) {
     fmt::print("{}", to_text(Json{{"schema", "legwright/report-pair"},
@@ -50,6 +58,7 @@ int report(const ReportOptions& options) {
         "of "
         "one run is RUN/report.html");
   const ResultFolder locked = ResultFolder::open_to_write(options.run);
+  options.check_run(options.run);  // the page draws its scenes, with their meshes
   const std::vector<std::filesystem::path> pages = write_report(options.run);
   if (options.json) {
     Json document{

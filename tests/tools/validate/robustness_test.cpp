@@ -104,6 +104,37 @@ TEST_F(Disturbed, PushGivesTheRobotItsVelocity) {
   EXPECT_NEAR(end_velocity(from, from.nothing(), 1).norm(), 0.0, 1e-4);
 }
 
+/// A robot that looks along y of its trunk: left is −x.
+TEST_F(Disturbed, AheadAndLeftAreThoseOfWhereItFaces) {
+  TinyScene tiny;
+  tiny.wag = 0.0;
+  tiny.friction = 0.0;
+  const Eigen::Vector2d forward = Eigen::Vector2d::UnitY();
+  const DisturbableScene from(write(tiny), Eigen::Vector2d::Zero(), forward);
+  Disturbance all = from.nothing();
+  all.push_forward = 0.2;
+  all.push_left = -0.1;
+  all.roll = 0.3;
+  Scene scene = from.with(all);
+  const RolloutOptions options = disturbed_rollout(scene, all, 1, 0.1, forward);
+  const DataPointer data = make_data(*scene.model);
+  mj_resetDataKeyframe(scene.model.get(), data.get(), scene.start_key);
+  options.prepare(*data);
+  mj_kinematics(scene.model.get(), data.get());
+  const mjtNum* rotation = data->xmat + 9 * scene.joints.root_body;
+  EXPECT_NEAR(rotation[2], std::sin(0.3), 1e-9);  // its upper side goes to its right, which is x
+  EXPECT_NEAR(rotation[5], 0.0, 1e-9);
+  options.step(*data, 0.1);
+  const mjtNum* force = data->xfrc_applied + 6 * scene.joints.root_body;
+  EXPECT_NEAR(force[1], 2.0 * force[0], 1e-9);
+  EXPECT_GT(force[1], 0.0);
+
+  Disturbance slope = from.nothing();
+  slope.slope_along = 0.1;
+  const mjtNum* gravity = from.with(slope).model->opt.gravity;
+  EXPECT_NEAR(gravity[1], -kG * std::sin(0.1), 1e-9);
+}
+
 TEST_F(Disturbed, FrictionOfTheFloorStopsWhatSlides) {
   const DisturbableScene from = scene();
   Disturbance slip = from.nothing();

@@ -208,6 +208,8 @@ TEST_F(GatheredRun, ConfinedVerbsRefuseARunThatLeadsOut) {
                                                     {"export", "run", "-o", "mine"},
                                                     {"pick", "run", "--iteration", "0"},
                                                     {"render", "run", "--small"},
+                                                    {"report", "run"},
+                                                    {"report", "run", "run"},
                                                     {"play", "run", "--print"}};
   const auto expect_refused = [&](const std::string& why) {
     const auto before = contents("run");
@@ -229,6 +231,18 @@ TEST_F(GatheredRun, ConfinedVerbsRefuseARunThatLeadsOut) {
   expect_refused("run/result/link.stl: is a symbolic link, which no run has");
   fs::remove(at("run/result/link.stl"));
   EXPECT_EQ(call({"pick", "run", "--iteration", "0", "--confined"}).code, 0);
+}
+
+TEST_F(GatheredRun, ThePageOfTwoRunsIsNotWrittenThroughALink) {
+  optimize("pkg/mjcf/sideways.toml", "run");
+  write_file(at("mine.txt"), "mine\n");
+  fs::create_symlink(at("mine.txt"), at("run/compare_run.html"));
+  const Outcome linked = call({"report", "run", "run"});
+  EXPECT_EQ(linked.code, 2) << linked.err;
+  EXPECT_TRUE(contains(linked.err, "run/compare_run.html: is a symbolic link")) << linked.err;
+  EXPECT_EQ(read_file(at("mine.txt")), "mine\n");
+  fs::remove(at("run/compare_run.html"));
+  EXPECT_EQ(call({"report", "run", "run"}).code, 0);
 }
 
 TEST_F(GatheredRun, WhatIsNoFileIsRefusedWithWhatItIs) {
