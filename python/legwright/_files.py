@@ -51,7 +51,12 @@ def read_text(file: str | os.PathLike[str], most: int = MOST) -> str:
 
 def read_json(file: Path) -> Any:
     """Its document. Raises ValueError where it is none, or one that nests too deep to be read."""
+    return json_of(read_bytes(file), file)
+
+
+def json_of(data: bytes, file: Path) -> Any:
+    """The document that a file holds. Raises as read_json()."""
     try:
-        return json.loads(read_bytes(file))
+        return json.loads(data)
     except RecursionError:
         raise ValueError(f'{file}: its JSON nests too deep to be read') from None
