@@ -236,6 +236,23 @@ def _listed(tasks: Any) -> list[tuple[Task, float | None]]:
     return listed
 
 
+def task_of(given: Any) -> Any:
+    """A task file by its path, or what one consists of as a dict, as a Task; all else as it is.
+
+    Raises as Task.load(), and TypeError for a `task` that is no list of tables.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return Task.load(given)
+    if not isinstance(given, Mapping):
+        return given
+    tables = given.get('task', ())
+    if not isinstance(tables, (list, tuple)) or not all(isinstance(e, Mapping) for e in tables):
+        raise TypeError(f'task is {kind_of(tables)}; expected a list of tables, as [[task]] makes')
+    gait = given.get('gait')
+    name = gait.get('name', 'task') if isinstance(gait, Mapping) else 'task'
+    return Task._from_content({'robot': 'robot.xml', 'name': name, **given}, Path(_MADE))
+
+
 def text_of(tasks: Tasks, robot: Robot, *, bounded: bool = True) -> tuple[str, Path]:
     """The text of the task file for a run, and the file that messages name. It has what is frozen
     and bounded of the robot, where `bounded`.

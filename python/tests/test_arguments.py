@@ -46,6 +46,7 @@ def test_paths_that_are_none_are_refused(wrong, puppy, sideways, walk, tmp_path,
             lambda: lw.Robot(wrong),
             lambda: lw.propose(wrong),
             lambda: lw.Task.load(wrong),
+            lambda: lw.check(puppy, wrong),
             lambda: lw.build(wrong, 'robot.xml'),
             lambda: lw.validate(walk, limits=wrong),
         ):
