@@ -27,7 +27,7 @@ class Judgement:
     """The verdict in words; of several tasks a line each."""
     reasons: tuple[str, ...]
     """Why it fails, first cause first; else empty."""
-    record: Mapping[str, Any]
+    record: Mapping[str, Any] = field(repr=False)
     """result/verdict.json: docs/schema/verdict.schema.json is its schema. Of several tasks the
     table of bodies and tasks, result/matrix.json (docs/schema/matrix.schema.json)."""
     metrics: Mapping[str, Any] = field(default_factory=dict, repr=False)

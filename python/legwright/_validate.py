@@ -4,7 +4,7 @@
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
@@ -35,9 +35,9 @@ class Validation:
     """Why it fails, first cause first; else empty."""
     passes: Mapping[str, bool]
     """By servo gains ("half", "default", "double"): the verdict on that roll-out alone."""
-    metrics: Mapping[str, Mapping[str, Any]]
+    metrics: Mapping[str, Mapping[str, Any]] = field(repr=False)
     """What was measured, by servo gains; keys and units as in result/metrics.json."""
-    record: Mapping[str, Any]
+    record: Mapping[str, Any] = field(repr=False)
     """All of it: docs/schema/engine_validation.schema.json is its schema."""
 
     def __bool__(self) -> bool:
