@@ -138,7 +138,7 @@ class Parameters(Mapping[str, Parameter]):
         return len(self._by_name)
 
     def __repr__(self) -> str:
-        return '\n'.join(repr(parameter) for parameter in self.values())
+        return '\n'.join(map(repr, self.values())) or '<no parameters: the body stays as it is>'
 
 
 class Robot:
