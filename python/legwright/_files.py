@@ -58,5 +58,7 @@ def json_of(data: bytes, file: Path) -> Any:
     """The document that a file holds. Raises as read_json()."""
     try:
         return json.loads(data)
+    except ValueError as error:
+        raise ValueError(f'{file}: is damaged, it is no JSON ({error})') from None
     except RecursionError:
         raise ValueError(f'{file}: its JSON nests too deep to be read') from None

@@ -190,7 +190,7 @@ def test_a_gradient_is_not_checked_where_told_so(puppy):
         (('much', None, None), "J must be a number, is 'much'"),
         ((float('nan'), None, None), "J is nan for task 'walk'; it must be finite"),
         ((1.0, [0.0], None), r'dJ_ds has the shape \(1,\), must have \(20,\)'),
-        ((1.0, {'body_width': 'wide'}, None), r"dJ_ds\['body_width'\] must hold numbers, is 'wide'"),
+        ((1.0, {'body_width': 'wide'}, None), r"\['body_width'\] must hold numbers, is 'wide'"),
         ((1.0, {'body_width': [1.0, 2.0]}, None), r"dJ_ds\['body_width'\] has the shape \(2,\)"),
         ((1.0, {'font_thigh_length': 1.0}, None), "'font_thigh_length'; is 'front_thigh_length'"),
         ((1.0, None, {'torque': 0.0}), "dJ_dm has the name 'torque'; is 'torques' meant"),
