@@ -3,13 +3,14 @@
 
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from legwright import _core
 from legwright._arguments import path_of
 from legwright._errors import InputError, IoError, LegwrightWarning, unreadable
 from legwright._files import read_text
+from legwright._options import kind_of
 from legwright._robot import Robot
 
 MODULES = Path(__file__).parent / 'share/legwright/modules'
@@ -43,6 +44,11 @@ def build(
             not stand on legs, or has modules whose middle is in another one.
         IoError: where `output` is there already, or something cannot be read or written.
     """
+    if isinstance(assembly, str) and '\n' in assembly:
+        message = 'is the text of an assembly; write it into a file and give its path'
+        raise InputError(f'<text>: {message}', '<text>', 0, '', message)
+    if isinstance(library, (str, os.PathLike)) or not isinstance(library, Iterable):
+        raise TypeError(f'library is {kind_of(library)}; expected a list of folders, as ["mine"]')
     file = path_of('assembly', assembly, absolute=False)
     place = path_of('output', output, absolute=False)
     folders = [MODULES, *(path_of('library', each, absolute=False) for each in library)]

@@ -79,3 +79,13 @@ def test_what_is_refused_is_told_by_lines_and_after_its_doubts(tmp_path):
     ):
         lw.build(lying, robot)
     assert not robot.exists()
+
+
+def test_what_is_no_path_and_no_list_of_folders_is_told(tmp_path):
+    robot = tmp_path / 'robot.xml'
+    for wrong, words in (('mine', 'a text'), (tmp_path, 'a PosixPath'), (None, 'None')):
+        with pytest.raises(TypeError, match=f'library is {words}; expected a list of folders'):
+            lw.build(ASSEMBLIES / 'puppy.toml', robot, library=wrong)
+    with pytest.raises(lw.InputError, match='^<text>: is the text of an assembly; write it into'):
+        lw.build(PUPPY, robot)
+    assert not robot.exists()
