@@ -36,10 +36,7 @@ void optimize_followed(const RobotModel& robot, const FollowedRun& run, Followed
   Conversation& conversation = call.conversation;
   std::atomic<int>& signal = call.signal;
   CommandTimes times;
-  TaskSet set = parse_task_tables(run.text, run.file);
-  set.robot = robot.file;
-  for (TaskFile& task : set.tasks) task.robot = robot.file;
-  CodesignProblem problem = make_problem(std::move(set), robot);
+  CodesignProblem problem = problem_of(robot, run.text, run.file);
   if (run.objective.is_valid() && !run.objective.is_none())
     set_own_objective(problem, run.objective, conversation, [&](nb::python_error&& interrupt) {
       call.kept.keep(std::move(interrupt));
@@ -79,6 +76,14 @@ void optimize_followed(const RobotModel& robot, const FollowedRun& run, Followed
 }
 
 }  // namespace
+
+CodesignProblem problem_of(const RobotModel& robot, const std::string& text,
+                           const std::filesystem::path& file) {
+  TaskSet set = parse_task_tables(text, file);
+  set.robot = robot.file;
+  for (TaskFile& task : set.tasks) task.robot = robot.file;
+  return make_problem(std::move(set), robot);
+}
 
 void run_followed(const RobotModel& robot, const FollowedRun& run) {
   FollowedCall call;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mjcf/read/robot_model.hpp"
+#include "tools/task/problem.hpp"
 #include "tools/verbs/optimize_options.hpp"
 
 namespace legwright {
@@ -22,10 +23,15 @@ struct FollowedRun {
   nanobind::object warn;          // called with what looks doubtful, before the search
 };
 
+/// Robot and tasks as they are given, ready to be solved. Throws InputError where they do not fit.
+/// @param text of the task file @param file that messages name; need not exist
+CodesignProblem problem_of(const RobotModel& robot, const std::string& text,
+                           const std::filesystem::path& file);
+
 /// Runs `legwright optimize` as a followed call, which asks on_iteration and the objective: what
 /// these raise, and KeyboardInterrupt, stop the run and are raised once it has stopped. Needs the
 /// lock.
-/// Throws as read_problem() and optimize_into().
+/// Throws as problem_of() and optimize_into().
 void run_followed(const RobotModel& robot, const FollowedRun& run);
 
 }  // namespace legwright

@@ -9,10 +9,12 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "mjcf/read/read_robot.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -33,6 +35,7 @@
 #include "tools/task/starter_task.hpp"
 #include "tools/task/task_file.hpp"
 #include "tools/task/toml_text.hpp"
+#include "tools/verbs/checked_task.hpp"
 #include "tools/verbs/init_files.hpp"
 
 namespace nb = nanobind;
@@ -195,6 +198,20 @@ void bind_run(nb::module_& module) {
       "Runs `legwright optimize` into a new folder. Calls `warn` with what looks doubtful.");
 }
 
+void bind_check(nb::module_& module) {
+  module.def(
+      "check",
+      [](const RobotModel& robot, const std::string& text, const fs::path& file) {
+        const std::vector<CheckedTask> all = checked_tasks(problem_of(robot, text, file));
+        std::vector<std::string> names;
+        for (const CheckedTask& each : all) names.push_back(each.task.name);
+        return std::tuple(names, to_text(to_json(all)), to_text(all));
+      },
+      "robot"_a, "text"_a, "file"_a, nb::call_guard<Released>(),
+      "What `legwright check` finds: names of the tasks, its JSON document, and its words. Raises "
+      "InputError.");
+}
+
 void bind_files(nb::module_& module) {
   module.def(
       "read_robot", [](const fs::path& file) { return read_robot(file); }, "file"_a,
@@ -258,6 +275,7 @@ NB_MODULE(_core, module) {
   bind_proposals(module);
   bind_assembly(module);
   bind_run(module);
+  bind_check(module);
   bind_engine(module);
   bind_files(module);
   bind_session(module);

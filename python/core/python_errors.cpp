@@ -8,7 +8,6 @@
 #include <system_error>
 #include <typeinfo>
 
-#include "mjcf/text/input_error.hpp"
 #include "python/core/calls.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -17,6 +16,10 @@ namespace nb = nanobind;
 
 namespace legwright {
 namespace {
+
+nb::object type_of(const char* name) {
+  return nb::module_::import_("legwright._errors").attr(name);
+}
 
 /// The error as an instance of Python's InputError.
 nb::object python_error_of(const nb::object& type, const InputError& error) {
@@ -31,9 +34,6 @@ void raise(const nb::object& type, const nb::object& instance) {
 }
 
 void translate(const std::exception_ptr& failure, void*) {
-  const auto type = [](const char* name) -> nb::object {
-    return nb::module_::import_("legwright._errors").attr(name);
-  };
   if (interpreter_ends()) {  // what was stopped has a thread to leave
     PyErr_SetNone(PyExc_SystemExit);
     return;
@@ -41,19 +41,23 @@ void translate(const std::exception_ptr& failure, void*) {
   try {
     std::rethrow_exception(failure);
   } catch (const InputError& error) {
-    raise(type("InputError"), python_error_of(type("InputError"), error));
+    raise(type_of("InputError"), python_error(error));
   } catch (const IoError& error) {
-    raise(type("IoError"), type("IoError")(std::string(error.what())));
+    raise(type_of("IoError"), type_of("IoError")(std::string(error.what())));
   } catch (const MujocoError& error) {
-    raise(type("MujocoError"), type("MujocoError")(std::string(error.what())));
+    raise(type_of("MujocoError"), type_of("MujocoError")(std::string(error.what())));
   } catch (const std::bad_cast&) {
     PyErr_SetString(PyExc_TypeError, "a value is of another kind than is expected there");
   } catch (const std::system_error& error) {  // filesystem_error included
-    raise(type("IoError"), type("IoError")(error.code().value(), std::string(error.what())));
+    raise(type_of("IoError"), type_of("IoError")(error.code().value(), std::string(error.what())));
   }
 }
 
 }  // namespace
+
+nb::object python_error(const InputError& error) {
+  return python_error_of(type_of("InputError"), error);
+}
 
 void translate_errors() { nb::register_exception_translator(translate); }
 

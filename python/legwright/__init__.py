@@ -12,6 +12,7 @@ Importing it makes the plugin legwright.gait known to MuJoCo.
 """
 
 from legwright._assembly import build
+from legwright._check import Findings, check
 from legwright._codesign import Iteration, codesign
 from legwright._core import __version__, mujoco_version
 from legwright._design import Design
@@ -32,6 +33,7 @@ from legwright._why import Change
 __all__ = [
     'Change',
     'Design',
+    'Findings',
     'FrontPoint',
     'InputError',
     'IoError',
@@ -55,6 +57,7 @@ __all__ = [
     'Verdict',
     '__version__',
     'build',
+    'check',
     'codesign',
     'gaits',
     'mujoco_version',

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright._errors import InputError, check_readable
-from legwright._options import kind_of
+from legwright._options import PHASE, checked, kind_of
 
 
 def _refusal(what: str, message: str) -> InputError:
@@ -56,6 +56,23 @@ def text_of_word(what: str, value: Any) -> str:
     except UnicodeEncodeError:
         raise _refusal(what, f'is {value!r}, which is no text in UTF-8; expected a text') from None
     return value
+
+
+def number_of(what: str, value: Any) -> float:
+    """A number, Python's or numpy's. Raises InputError for what is none."""
+    if not isinstance(value, (str, bytes, bool)):
+        try:
+            return float(value)
+        except (TypeError, ValueError):
+            pass
+    raise _refusal(what, f'is {kind_of(value)}; expected a number')
+
+
+def phases_of(values: Any) -> list[float]:
+    """Shares of a cycle. Raises TypeError for what is no list, InputError for what is no share."""
+    if not isinstance(values, Iterable):
+        raise TypeError(f'phases is {kind_of(values)}; expected a list of numbers, as [0.25]')
+    return [checked({'phases': PHASE}, {'phases': each})['phases'] for each in values]
 
 
 def names_of(what: str, values: Iterable[Any]) -> list[str]:

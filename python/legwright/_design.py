@@ -11,16 +11,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from legwright import _command, _core, _program
-from legwright._arguments import limits_file, path_of
-from legwright._errors import IoError
+from legwright import _command, _program
+from legwright._arguments import path_of, phases_of
+from legwright._errors import IoError, check_readable
 from legwright._files import read_json
 from legwright._html import design_html
-from legwright._judgement import Judgement, judge
-from legwright._motion import Motion, read_motion
-from legwright._options import JUDGE, PHASE, checked
+from legwright._judgement import Judgement, judge, options_of
+from legwright._motion import MADE_ANEW, Motion, read_motion
+from legwright._options import FORCE, checked, export_words, kind_of
 from legwright._plugin import served_mujoco
-from legwright._run_folder import no_end, save_run
+from legwright._run_folder import check_unchanged, read_run, save_run
 from legwright._verdict import FrontPoint, Verdict, finite_or_inf
 from legwright._why import Change, changes_of
 
@@ -42,11 +42,8 @@ class Design:
         self._temporary = temporary
         self._played: dict[str, Any] | None = None
         """Of one of several tasks: what MuJoCo says of it, which stands in the record of all."""
-        _core.open_run(self.folder)
-        self.record: dict[str, Any] = self._json('run.json')
+        self.record, self._digest = read_run(self.folder)
         """All that run.json says: docs/schema/run.schema.json is its schema."""
-        if 'final_F' not in self.record:
-            raise no_end(self.folder, self.record)
 
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> 'Design':
@@ -77,9 +74,16 @@ class Design:
         """The same: what it holds is not changed, and its folder stays as long as one of them."""
         return self.__copy__()
 
-    def _json(self, name: str) -> dict[str, Any]:
-        document: dict[str, Any] = read_json(self.folder / name)
-        return document
+    @property
+    def _run(self) -> Path:
+        """Its folder, where there is still what was read: what else is read there belongs to it."""
+        check_unchanged(self.folder, self._digest)
+        return self.folder
+
+    def _json(self, name: str) -> dict[str, Any] | None:
+        """The document of a file of the run; None where there is none."""
+        file = self._run / name
+        return read_json(file) if file.exists() else None
 
     # ---- the body and its cost ----
 
@@ -188,8 +192,7 @@ class Design:
     @cached_property
     def certificate(self) -> dict[str, Any] | None:
         """How well the result is an optimum (result/certificate.json); None where not asked for."""
-        there = (self.folder / 'result/certificate.json').exists()
-        return self._json('result/certificate.json') if there else None
+        return self._json('result/certificate.json')
 
     @cached_property
     def why(self) -> list[Change]:
@@ -208,11 +211,11 @@ class Design:
         """The design as each task has it, by name; one task: itself."""
         if not self.joint:
             return {self.record['task']['name']: self}
-        played = (self._chosen or {}).get('tasks') or {}
+        folder, played = self._run / 'tasks', (self._chosen or {}).get('tasks') or {}
         designs: dict[str, Design] = {}
         for task in self.record['tasks']:
             name = task['name']
-            designs[name] = Design(self.folder / 'tasks' / name, self._temporary)
+            designs[name] = Design(folder / name, self._temporary)
             designs[name]._played = played.get(name)
         return designs
 
@@ -221,9 +224,8 @@ class Design:
         """The trade-off between two tasks, by rising weight of the first; empty where codesign()
         was not asked for it. The bodies are optima of F, which MuJoCo has not judged: the design
         may cost more than the point of its weights (see F)."""
-        if not (self.folder / 'result/front.json').exists():
-            return []
-        return [
+        document = self._json('result/front.json')
+        return [] if document is None else [
             FrontPoint(
                 point['weight'],
                 finite_or_inf(point['F']),
@@ -231,7 +233,7 @@ class Design:
                 np.array(list(point['s'].values()), dtype=np.float64),
                 point['status'],
             )
-            for point in self._json('result/front.json')['points']
+            for point in document['points']
         ]
 
     def _of_one_task(self, what: str) -> None:
@@ -243,18 +245,21 @@ class Design:
     def motion(self) -> Motion:
         """The planned motion. Raises ValueError for several tasks."""
         self._of_one_task('a motion')
-        return read_motion(self.folder / 'result/motion.csv')
+        return read_motion(self._run / 'result/motion.csv')
 
     def model(self) -> Any:
         """The robot on its ground with the gait: a mujoco.MjModel with the plugin.
 
         Raises:
             ImportError: where mujoco is not installed in the version served, with what to install.
+            IoError: where the run has no scene.
             ValueError: for several tasks.
         """
         self._of_one_task('a model')
         mujoco = served_mujoco()
-        return mujoco.MjModel.from_xml_path(str(self.folder / 'result/scene.xml'))
+        scene = self._run / 'result/scene.xml'
+        check_readable(scene, MADE_ANEW)
+        return mujoco.MjModel.from_xml_path(str(scene))
 
     def data(self, model: Any) -> Any:
         """A mujoco.MjData of model() in the gait's first pose, from where mj_step() walks on: that
@@ -263,6 +268,8 @@ class Design:
         Raises ValueError for another model, which has no such keyframe.
         """
         mujoco = served_mujoco()
+        if not isinstance(model, mujoco.MjModel):
+            raise TypeError(f'model is {kind_of(model)}; expected the one that model() gives')
         key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, 'gait')
         if key < 0:
             raise ValueError(
@@ -286,7 +293,8 @@ class Design:
             IoError: where the folder holds a run, cannot be written, or lies in that of the design
                 or around it.
         """
-        return save_run(self.folder, path_of('folder', folder), force)
+        replaces: bool = checked(FORCE, {'force': force})['force']
+        return save_run(self._run, path_of('folder', folder), replaces)
 
     # ---- what the program's other verbs make of it ----
 
@@ -320,16 +328,9 @@ class Design:
             KeyboardInterrupt: on Ctrl-C, within two seconds; what an earlier one wrote stays.
         """
         given = {'quick': quick, 'cycles': cycles, 'samples': samples, 'seed': seed}
-        words = checked(JUDGE, given | {'threads': threads})
-        options = ['--quick'] * words.pop('quick')
-        if words['threads'] == 0:
-            del words['threads']
-        for name, value in words.items():
-            options += [f'--{name}', str(value)]
-        if limits is not None:
-            options += ['--limits', str(limits_file(limits))]
+        options = options_of(given | {'threads': threads}, limits)
         tasks = {name: each.folder for name, each in self.tasks.items()} if self.joint else {}
-        return judge(self.folder, tasks, options)
+        return judge(self._run, tasks, options)
 
     def render(self, *, phases: Iterable[float] = ()) -> list[Path]:
         """Draws the run's pictures into `folder`, off-screen, as `legwright render`.
@@ -346,9 +347,8 @@ class Design:
             InputError: for a phase that is none.
             IoError: without OpenGL (OSMesa or EGL), and where the folder cannot be written.
         """
-        shares = [checked({'phases': PHASE}, {'phases': each})['phases'] for each in phases]
-        words = [word for phase in shares for word in ('--phase', repr(phase))]
-        document = _program.answer('render', str(self.folder), *words)
+        words = [word for phase in phases_of(phases) for word in ('--phase', repr(phase))]
+        document = _program.answer('render', str(self._run), *words)
         return [Path(each['file']) for each in document['files']]
 
     def report(self) -> Path:
@@ -358,7 +358,7 @@ class Design:
 
         Raises IoError where the folder cannot be written.
         """
-        return Path(_program.answer('report', str(self.folder))['report'])
+        return Path(_program.answer('report', str(self._run))['report'])
 
     def export(
         self,
@@ -380,15 +380,15 @@ class Design:
             the folder; its README.md tells what the files are.
 
         Raises:
-            InputError: for a robot that URDF cannot tell.
+            InputError: for a robot that URDF cannot tell; for options that are no true or false.
             IoError: where the folder exists or cannot be written.
         """
         target = path_of('folder', folder)
         if target.exists():
             raise IoError(f'{target}: exists already; name a new folder, or remove it')
-        words = ['--no-picture'] * (not picture) + ['--urdf'] * urdf + ['--ros'] * ros
+        words = export_words({'picture': picture, 'urdf': urdf, 'ros': ros})
         accepted = (_command.OK, _command.NOT_ALL)  # the second: MuJoCo warns of it
-        _program.answer('export', str(self.folder), '-o', str(target), *words, accepted=accepted)
+        _program.answer('export', str(self._run), '-o', str(target), *words, accepted=accepted)
         return target
 
     def _repr_html_(self) -> str:

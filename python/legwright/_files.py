@@ -51,7 +51,14 @@ def read_text(file: str | os.PathLike[str], most: int = MOST) -> str:
 
 def read_json(file: Path) -> Any:
     """Its document. Raises ValueError where it is none, or one that nests too deep to be read."""
+    return json_of(read_bytes(file), file)
+
+
+def json_of(data: bytes, file: Path) -> Any:
+    """The document that a file holds. Raises as read_json()."""
     try:
-        return json.loads(read_bytes(file))
+        return json.loads(data)
+    except ValueError as error:
+        raise ValueError(f'{file}: is damaged, it is no JSON ({error})') from None
     except RecursionError:
         raise ValueError(f'{file}: its JSON nests too deep to be read') from None

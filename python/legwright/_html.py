@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design as a notebook shows it."""
+"""A design as a notebook shows it, and what check() found."""
 
 import base64
+from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from legwright._check import Findings
     from legwright._design import Design
 
 _MOST_PICTURE = 200_000  # bytes of a picture that is put into the page
@@ -17,6 +19,7 @@ _STYLE = (
 _CELL = 'padding:1px 1.1em 1px 0;border:0;background:transparent;color:inherit;'
 # In the middle between black and white: legible on either.
 _COLOURS = {True: '#2a9d5c', False: '#d9534f', None: '#888888'}
+_DOUBTFUL = '#b7791f'
 
 
 def _cell(text: str, right: bool = False) -> str:
@@ -43,16 +46,25 @@ def _table(heads: list[str], rows: list[list[str]], left: int = 1) -> str:
     )
 
 
+def _chip(word: str, colour: str, line: str) -> str:
+    chip = (
+        f'<span style="background:{colour};color:#fff;border-radius:4px;padding:1px 7px;'
+        f'font-weight:600">{escape(word)}</span>'
+    )
+    return f'<div>{chip} {escape(line)}</div>'
+
+
+def _list(lines: Iterable[str]) -> str:
+    listed = ''.join(f'<li>{escape(each)}</li>' for each in lines)
+    return f'<ul style="margin:.3em 0 0">{listed}</ul>' if listed else ''
+
+
 def _verdict(design: 'Design') -> str:
     verdict = design.verdict
     passed = None if verdict is None else verdict.passed
     word = {True: 'PASS', False: 'FAIL', None: 'not played'}[passed]
     line = design.status if verdict is None else verdict.line.removeprefix(word).strip()
-    chip = (
-        f'<span style="background:{_COLOURS[passed]};color:#fff;border-radius:4px;'
-        f'padding:1px 7px;font-weight:600">{word}</span>'
-    )
-    return f'<div>{chip} {escape(line)}</div>'
+    return _chip(word, _COLOURS[passed], line)
 
 
 def _number(value: float | None) -> str:
@@ -128,8 +140,25 @@ def _pictures(design: 'Design') -> str:
 
 def design_html(design: 'Design') -> str:
     """Verdict, cost and what changed of the body, as HTML for pages of either colour."""
-    parts = [_verdict(design), _pictures(design), _costs(design), _parameters(design)]
-    if design.reasons:
-        listed = ''.join(f'<li>{escape(each)}</li>' for each in design.reasons)
-        parts.insert(1, f'<ul style="margin:.3em 0 0">{listed}</ul>')
+    parts = [_verdict(design), _list(design.reasons), _pictures(design), _costs(design)]
+    return f'<div style="{_STYLE}">{"".join(parts)}{_parameters(design)}</div>'
+
+
+def _bounds(found: 'Findings') -> str:
+    rows = []
+    for name, parameter in found.robot.parameters.items():
+        lower, upper = found.bounds[name]
+        room = [f'{lower:.4g}', f'{upper:.4g}'] if lower < upper else ['frozen', '']
+        unit = f'<span style="opacity:.7">{escape(parameter.unit)}</span>'
+        rows.append([escape(name), f'{found.parameters[name]:.4g}', *room, unit])
+    return _table(['parameter', 'value', 'from', 'to', ''], rows) if rows else ''
+
+
+def findings_html(found: 'Findings') -> str:
+    """Warnings, limbs and parameters, as HTML for pages of either colour."""
+    doubtful = bool(found.warnings)
+    word, colour = ('doubtful', _DOUBTFUL) if doubtful else ('ok', _COLOURS[True])
+    limbs = [[escape(foot), escape(' → '.join(joints))] for foot, joints in found.limbs.items()]
+    parts = [_chip(word, colour, found.summary), _list(found.warnings)]
+    parts += [_table(['foot', 'joints'], limbs, left=2), _bounds(found)]
     return f'<div style="{_STYLE}">{"".join(parts)}</div>'

@@ -8,9 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from legwright import _program
+from legwright._arguments import limits_file
 from legwright._command import NOT_ALL, OK
 from legwright._errors import IoError
 from legwright._files import read_json
+from legwright._options import JUDGE, checked
 
 _MEASURED = ('metrics', 'numerics', 'robustness')
 
@@ -25,7 +27,7 @@ class Judgement:
     """The verdict in words; of several tasks a line each."""
     reasons: tuple[str, ...]
     """Why it fails, first cause first; else empty."""
-    record: Mapping[str, Any]
+    record: Mapping[str, Any] = field(repr=False)
     """result/verdict.json: docs/schema/verdict.schema.json is its schema. Of several tasks the
     table of bodies and tasks, result/matrix.json (docs/schema/matrix.schema.json)."""
     metrics: Mapping[str, Any] = field(default_factory=dict, repr=False)
@@ -64,6 +66,19 @@ def _check_writable(folders: Iterable[Path]) -> None:
     for folder in (each for run in folders for each in (run, run / 'result')):
         if folder.exists() and not os.access(folder, os.W_OK):
             raise IoError(f'{folder}: cannot be written; save() the design to another folder')
+
+
+def options_of(given: Mapping[str, Any], limits: Any) -> list[str]:
+    """The keywords of Design.validate() as options of `legwright validate`. Raises as that."""
+    words = checked(JUDGE, given)
+    options = ['--quick'] * words.pop('quick')
+    if words['threads'] == 0:
+        del words['threads']
+    for name, value in words.items():
+        options += [f'--{name}', str(value)]
+    if limits is not None:
+        options += ['--limits', str(limits_file(limits))]
+    return options
 
 
 def judge(run: Path, tasks: Mapping[str, Path], options: Sequence[str]) -> Judgement:

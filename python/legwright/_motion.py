@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from legwright._errors import InputError
+from legwright._errors import InputError, unreadable
 from legwright._files import read_text
 
 Array = NDArray[np.float64]
-_CURE = '`legwright optimize` makes it anew'
+MADE_ANEW = '`legwright optimize` makes it anew'
 
 
 @dataclass(frozen=True)
@@ -89,13 +89,16 @@ def _columns(text: str) -> dict[str, Array]:
 
 
 def read_motion(file: Path) -> Motion:
-    """The motion of a motion.csv. Raises OSError where there is none, InputError where it is not
+    """The motion of a motion.csv. Raises IoError where there is none, InputError where it is not
     whole."""
-    column = gait_table(file, _CURE)
+    try:
+        column = gait_table(file, MADE_ANEW)
+    except OSError as error:
+        raise unreadable(file, error, MADE_ANEW) from None
     try:
         return _motion(column)
     except KeyError as error:
-        text = f'{file}: is no table of a gait (it has no column {error}); {_CURE}'
+        text = f'{file}: is no table of a gait (it has no column {error}); {MADE_ANEW}'
         raise InputError(text, str(file)) from None
 
 

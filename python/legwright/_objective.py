@@ -3,6 +3,7 @@
 
 import difflib
 import math
+import numbers
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -80,8 +81,10 @@ class Objective:
         text_of_word('unit', self.unit)
         text_of_word('name', self.name)
         for key, number in (('weight', self.weight), ('reference', self.reference)):
-            if number is not None and not (number > 0.0 and math.isfinite(number)):
-                raise _refusal(self.called, f'{key} must be a positive number, is {number!r}')
+            if key == 'reference' and number is None:
+                continue
+            if not isinstance(number, numbers.Real) or not 0.0 < number < math.inf:
+                raise _refusal(self.called, f'{key} must be a positive number, is {number!r:.80}')
 
     @property
     def called(self) -> str:
@@ -160,7 +163,7 @@ class AskedObjective:
             for name, slope in given.items():
                 if name not in names:
                     raise self._unknown('dJ_ds', name, names)
-                out[names.index(name)] = slope
+                out[names.index(name)] = self._shaped(f'dJ_ds[{name!r}]', slope, ())
             return out
         return self._shaped('dJ_ds', given, (len(names),))
 

@@ -50,7 +50,7 @@ class Option:
         is_flag = isinstance(value, _ACCEPTED[bool])
         if not isinstance(value, _ACCEPTED[self.kind]) or (numeric and is_flag):
             return f'is {kind_of(value)}; expected {_EXPECTED[self.kind]}'
-        if numeric and not self.low <= value <= self.high:
+        if numeric and not self.low <= self.kind(value) <= self.high:  # NumPy's may be too small
             return f'is {value}; expected {self.low:g} to {self.high:g}'
         return None
 
@@ -81,6 +81,13 @@ CODESIGN: Mapping[str, Option] = {
     'check_gradient': Option(bool, True),
 }
 """All of codesign()."""
+FORCE: Mapping[str, Option] = {'force': Option(bool, False)}
+"""Of what saves."""
+_EXPORT: Mapping[str, Option] = {
+    'picture': Option(bool, True),
+    'urdf': Option(bool, False),
+    'ros': Option(bool, False),
+}
 PHASE = Option(float, None, 0.0, 1.0)
 JUDGE: Mapping[str, Option] = {
     'quick': Option(bool, False),
@@ -110,3 +117,11 @@ def checked(known: Mapping[str, Option], given: Mapping[str, Any]) -> dict[str, 
     if wrong:
         raise together(wrong)
     return out
+
+
+def export_words(given: Mapping[str, Any]) -> list[str]:
+    """The keywords of Design.export() as options of `legwright export`. Raises as checked()."""
+    words = checked(_EXPORT, given)
+    return [f'--{name}' for name in ('urdf', 'ros') if words[name]] + (
+        [] if words['picture'] else ['--no-picture']
+    )

@@ -92,6 +92,8 @@ class Proposals(Mapping[str, Proposal]):
         return Path(self._studied.write('' if output is None else str(path_of('output', output))))
 
     def __repr__(self) -> str:
+        if not self:
+            return f'<no proposals; {len(self.declared)} parameters are declared>'
         return '\n'.join(
             f'<{each.name} = {each.value:g} {each.unit}, {each.bounds[0]:g} to '
             f'{each.bounds[1]:g}: {each.sentence}>'

@@ -138,7 +138,7 @@ class Parameters(Mapping[str, Parameter]):
         return len(self._by_name)
 
     def __repr__(self) -> str:
-        return '\n'.join(repr(parameter) for parameter in self.values())
+        return '\n'.join(map(repr, self.values())) or '<no parameters: the body stays as it is>'
 
 
 class Robot:
@@ -185,6 +185,30 @@ class Robot:
     def s(self) -> NDArray[np.float64]:
         """The given body: a value for each parameter, in m or rad."""
         return np.array([parameter.value for parameter in self.parameters.values()])
+
+    # ---- copies ----
+
+    def __getstate__(self) -> dict[str, Any]:
+        raise TypeError(
+            f'a robot cannot be pickled: read it where it is needed, by Robot({str(self.file)!r})'
+        )
+
+    def __copy__(self) -> 'Robot':
+        """The robot as it was read, with bounds of its own: those of this one at first."""
+        copy = object.__new__(type(self))
+        copy.__dict__.update(self.__dict__)
+        copy.parameters = Parameters([Parameter(p._model, p._declared) for p in self._listed])
+        for own, parameter in zip(copy._listed, self._listed, strict=True):
+            own._bounds = parameter.bounds
+        return copy
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> 'Robot':
+        """The same: what was read does not change."""
+        return self.__copy__()
+
+    @property
+    def _listed(self) -> list[Parameter]:
+        return list(self.parameters.values())
 
     def _design_table(self) -> dict[str, Any]:
         """[design] of a task file, for what is frozen or bounded here; else empty."""

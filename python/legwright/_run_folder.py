@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Run folders: one without a design yet, one copied to where somebody wants it."""
 
+import hashlib
 import os
 import shutil
 from collections.abc import Mapping
@@ -9,6 +10,32 @@ from typing import Any
 
 from legwright import _core
 from legwright._errors import InputError, IoError
+from legwright._files import json_of, read_bytes
+
+
+def read_run(folder: Path) -> tuple[dict[str, Any], str]:
+    """What run.json says of a run that has come to its end, and the digest of its bytes.
+
+    Raises IoError where there is no run, InputError where it has no end.
+    """
+    _core.open_run(folder)
+    data = read_bytes(folder / 'run.json')
+    record: dict[str, Any] = json_of(data, folder / 'run.json')
+    if 'final_F' not in record:
+        raise no_end(folder, record)
+    return record, hashlib.sha256(data).hexdigest()
+
+
+def check_unchanged(folder: Path, digest: str) -> None:
+    """Raises IoError where the folder of a run is gone, InputError where it has another one."""
+    _core.open_run(folder)
+    if hashlib.sha256(read_bytes(folder / 'run.json')).hexdigest() == digest:
+        return
+    message = (
+        'has another run, or another pick of it, than when this design was read; '
+        f'Design.load({str(folder)!r}) reads what is there now'
+    )
+    raise InputError(f'{folder}: {message}', str(folder), 0, '', message)
 
 
 def no_end(folder: Path, record: Mapping[str, Any]) -> InputError:

@@ -6,20 +6,21 @@ import os
 import tempfile
 import tomllib
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 from legwright import _core
-from legwright._arguments import names_of, path_of, seconds_of, text_of_word
+from legwright._arguments import names_of, number_of, path_of, seconds_of, text_of_word
 from legwright._design import Design
 from legwright._errors import InputError, LegwrightWarning
-from legwright._options import THREADS, checked, kind_of
+from legwright._options import FORCE, THREADS, Option, checked, kind_of
 from legwright._robot import Robot, pair_of
 from legwright._session_state import SessionEvent, SessionState
 from legwright._task import Tasks, text_of
 
+_OF_EDIT = {'goes_on': Option(bool, False), 'wait': Option(bool, True)}
 _SLICE = 0.05  # seconds without a look at signals
 
 
@@ -123,7 +124,8 @@ class Session:
                 waiting are replaced by this one, and one that does not fit is an event.
 
         Raises:
-            InputError: for unknown names, values outside bounds and frozen parameters.
+            InputError: for unknown names, values outside bounds or that are no numbers, and frozen
+                parameters.
         """
         if not isinstance(what, (str, Mapping)):
             raise TypeError(
@@ -131,13 +133,16 @@ class Session:
                 'a dict of values by name'
             )
         values: dict[str, Any] = {what: value} if isinstance(what, str) else dict(what)
+        if value is not None and not isinstance(what, str):
+            raise TypeError('edit is given values by name and another value; give one of both')
         names_of('edit', values)
         for name, number in values.items():
             if number is None:
                 raise TypeError(f'edit({name!r}) without a value')
-        values = {name: float(number) for name, number in values.items()}
-        command = _line('edit', values=values, goes_on=goes_on)
-        if wait:
+        values = {name: number_of(name, number) for name, number in values.items()}
+        words = checked(_OF_EDIT, {'goes_on': goes_on, 'wait': wait})
+        command = _line('edit', values=values, goes_on=words['goes_on'])
+        if words['wait']:
             self._core.apply(command)
         else:
             self._core.post(command)
@@ -177,9 +182,13 @@ class Session:
         self._apply('tasks', text=text, file=str(file))
         self._warn()
 
-    def set_weights(self, weights: Sequence[float]) -> None:
+    def set_weights(self, weights: Iterable[float]) -> None:
         """Of the tasks, in their order. Raises InputError unless all are above 0."""
-        self._apply('weights', weights=[float(weight) for weight in weights])
+        if isinstance(weights, (str, Mapping)) or not isinstance(weights, Iterable):
+            raise TypeError(
+                f'weights is {kind_of(weights)}; expected a list of numbers, one for each task'
+            )
+        self._apply('weights', weights=[number_of('weights', each) for each in weights])
 
     def start(self) -> None:
         """Searches on from where it stands, in the background, until it ends by itself, pause(), or
@@ -279,12 +288,13 @@ class Session:
             InputError: where the body has no finite motion.
             IoError: where the folder holds a run or cannot be written.
         """
+        words = checked(FORCE, {'force': force})
         temporary = None
         if folder is None:
             temporary = tempfile.TemporaryDirectory(prefix='legwright-')
             folder = Path(temporary.name) / 'run'
         run = path_of('folder', folder)
-        self._core.save(run, force)
+        self._core.save(run, words['force'])
         return Design(run, temporary)
 
     def close(self) -> None:

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the robot shall do: the text of a task file, from a file or from keywords."""
 
+import numbers
 import os
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import NDArray
+
 from legwright import _core, _toml
+from legwright._arguments import number_of, path_of
 from legwright._errors import InputError, unreadable
 from legwright._files import MOST_OF_TASK, read_text
 from legwright._options import kind_of
@@ -64,7 +68,7 @@ class Task:
     def __init__(
         self,
         gait: str | Mapping[str, Any],
-        velocity: Sequence[float],
+        velocity: Sequence[float] | NDArray[Any],
         *,
         forward: str | None = None,
         period: float | None = None,
@@ -118,16 +122,22 @@ class Task:
         Its robot is not looked for: codesign() is given one.
 
         Raises:
-            InputError: with everything that is wrong, by file and line.
+            InputError: with everything that is wrong, by file and line; for an empty path, and a
+                text in its place.
             IoError: where it is not there or cannot be read.
+            TypeError: for what is no path.
         """
+        if isinstance(file, str) and '\n' in file:
+            message = 'is the text of a task; write it into a file and give its path'
+            raise InputError(f'<text>: {message}', '<text>', 0, '', message)
+        place = path_of('file', file, absolute=False)
         try:
-            text = read_text(file, MOST_OF_TASK)
+            text = read_text(place, MOST_OF_TASK)
         except OSError as error:
-            raise unreadable(file, error, 'give the path of a task file') from None
+            raise unreadable(place, error, 'give the path of a task file') from None
         except UnicodeDecodeError as error:
-            raise InputError(f'{file}: is no UTF-8, as TOML is: {error}', str(file)) from None
-        return cls._from_text(text, Path(file))
+            raise InputError(f'{place}: is no UTF-8, as TOML is: {error}', str(place)) from None
+        return cls._from_text(text, place)
 
     @classmethod
     def _from_text(cls, text: str, file: Path) -> 'Task':
@@ -202,9 +212,9 @@ def gaits(robot: Robot | int) -> dict[str, str]:
     Raises TypeError for what is neither.
     """
     feet = len(robot.feet) if isinstance(robot, Robot) else robot
-    if isinstance(feet, bool) or not isinstance(feet, int):
+    if isinstance(feet, bool) or not isinstance(feet, numbers.Integral):
         raise TypeError(f'robot is {kind_of(robot)}; expected a Robot or a number of feet')
-    return dict(_core.gait_library(feet)) if 0 < feet < 1000 else {}
+    return dict(_core.gait_library(int(feet))) if 0 < feet < 1000 else {}
 
 
 Tasks = Task | Iterable[Task | tuple[Task, float]]
@@ -224,6 +234,23 @@ def _listed(tasks: Any) -> list[tuple[Task, float | None]]:
             )
         listed.append(pair)
     return listed
+
+
+def task_of(given: Any) -> Any:
+    """A task file by its path, or what one consists of as a dict, as a Task; all else as it is.
+
+    Raises as Task.load(), and TypeError for a `task` that is no list of tables.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return Task.load(given)
+    if not isinstance(given, Mapping):
+        return given
+    tables = given.get('task', ())
+    if not isinstance(tables, (list, tuple)) or not all(isinstance(e, Mapping) for e in tables):
+        raise TypeError(f'task is {kind_of(tables)}; expected a list of tables, as [[task]] makes')
+    gait = given.get('gait')
+    name = gait.get('name', 'task') if isinstance(gait, Mapping) else 'task'
+    return Task._from_content({'robot': 'robot.xml', 'name': name, **given}, Path(_MADE))
 
 
 def text_of(tasks: Tasks, robot: Robot, *, bounded: bool = True) -> tuple[str, Path]:
@@ -266,7 +293,7 @@ def _joint_text(listed: Sequence[tuple[Task, float | None]], robot: Robot) -> st
             content.pop(key, None)
         head: dict[str, Any] = {'name': task.name}
         if weight is not None:
-            head['weight'] = float(weight)
+            head['weight'] = number_of(f'weight of task {task.name}', weight)
         tables.append({**head, **content})
     name = '-'.join(table['name'] for table in tables)
     return _toml.document({'robot': 'robot.xml', 'name': name, 'task': tables})

@@ -6,11 +6,28 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from legwright._errors import InputError
+
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 
-def _key(name: str) -> str:
+def _key(name: Any, table: str = '') -> str:
+    """@param table: that messages name, with its dot."""
+    of = f'{table[:-1]}: ' if table else ''
+    if not isinstance(name, str):
+        raise TypeError(f'{of}{name!r} is no name of a key; expected a text')
+    if not _is_utf8(name):
+        message = f'{name!r} is no text in UTF-8; expected the name of a key'
+        raise InputError(of + message, '', 0, table[:-1], message)
     return name if _BARE.fullmatch(name) else _text(name)
+
+
+def _is_utf8(text: str) -> bool:
+    try:
+        text.encode('utf-8')
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _text(value: str) -> str:
@@ -37,9 +54,13 @@ def value(item: Any) -> str:
 
 def _value_of(key: str, item: Any) -> str:
     try:
-        return value(item)
+        text = value(item)
     except TypeError as error:
         raise TypeError(f'{key}: {error}') from None
+    if not _is_utf8(text):
+        message = f'is {item!r}, which is no text in UTF-8; expected a text'
+        raise InputError(f'{key}: {message}', '', 0, key, message)
+    return text
 
 
 def document(content: Mapping[str, Any], path: str = '', header: str | None = None) -> str:
@@ -52,7 +73,7 @@ def document(content: Mapping[str, Any], path: str = '', header: str | None = No
     lines = [f'\n{header}'] if header else []
     tables = []
     for name, item in content.items():
-        full = path + _key(name)
+        full = path + _key(name, path)
         if name == 'task' and not path:
             tables += [document(each, 'task.', '[[task]]') for each in item]
         elif isinstance(item, Mapping):

@@ -3,8 +3,8 @@
 
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
@@ -35,9 +35,9 @@ class Validation:
     """Why it fails, first cause first; else empty."""
     passes: Mapping[str, bool]
     """By servo gains ("half", "default", "double"): the verdict on that roll-out alone."""
-    metrics: Mapping[str, Mapping[str, Any]]
+    metrics: Mapping[str, Mapping[str, Any]] = field(repr=False)
     """What was measured, by servo gains; keys and units as in result/metrics.json."""
-    record: Mapping[str, Any]
+    record: Mapping[str, Any] = field(repr=False)
     """All of it: docs/schema/engine_validation.schema.json is its schema."""
 
     def __bool__(self) -> bool:
@@ -78,7 +78,7 @@ def validate(
     design: Design,
     *,
     engine: Literal['mujoco', 'drake'] = 'mujoco',
-    gains: Sequence[float] = GAINS,
+    gains: Iterable[float] = GAINS,
     cycles: int = 20,
     limits: str | os.PathLike[str] | None = None,
 ) -> Validation:
@@ -117,7 +117,7 @@ def validate(
     words = checked({'cycles': _CYCLES}, {'cycles': cycles})
     scales = _factors(gains)
     if engine == 'mujoco':
-        return Validation.of(_core.validate(design.folder, words['cycles'], scales, file))
+        return Validation.of(_core.validate(design._run, words['cycles'], scales, file))
     if engine == 'drake':
         return in_drake(design, gains=scales, cycles=words['cycles'], limits=file)
     raise ValueError(f"engine: expected 'mujoco' or 'drake', found {engine!r}")
@@ -157,6 +157,6 @@ def in_drake(
 
     return Validation.of(
         _core.validate_in_engine(
-            design.folder, 'drake', player.VERSION, start, cycles, list(gains), limits, write
+            design._run, 'drake', player.VERSION, start, cycles, list(gains), limits, write
         )
     )

@@ -58,6 +58,6 @@ def test_the_page_of_the_api_has_every_public_name():
     assert told == set(lw.__all__) - constants
 
 
-@pytest.mark.parametrize('name', ['codesign', 'propose'])
+@pytest.mark.parametrize('name', ['build', 'check', 'codesign', 'propose'])
 def test_functions_tell_what_they_raise(name):
     assert 'Raises:' in inspect.getdoc(getattr(lw, name))

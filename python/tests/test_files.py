@@ -70,6 +70,9 @@ def test_json_that_nests_too_deep_is_refused(tmp_path):
     file.write_text('[' * 100_000 + ']' * 100_000, encoding='utf-8')
     with pytest.raises(ValueError, match=r'deep\.json: its JSON nests too deep'):
         _files.read_json(file)
+    file.write_text('{"a": ', encoding='utf-8')
+    with pytest.raises(ValueError, match=r'deep\.json: is damaged, it is no JSON \(Expecting'):
+        _files.read_json(file)
 
 
 def test_files_of_users_are_read_so(pipe, large, tmp_path):

@@ -190,6 +190,8 @@ def test_a_gradient_is_not_checked_where_told_so(puppy):
         (('much', None, None), "J must be a number, is 'much'"),
         ((float('nan'), None, None), "J is nan for task 'walk'; it must be finite"),
         ((1.0, [0.0], None), r'dJ_ds has the shape \(1,\), must have \(20,\)'),
+        ((1.0, {'body_width': 'wide'}, None), r"\['body_width'\] must hold numbers, is 'wide'"),
+        ((1.0, {'body_width': [1.0, 2.0]}, None), r"dJ_ds\['body_width'\] has the shape \(2,\)"),
         ((1.0, {'font_thigh_length': 1.0}, None), "'font_thigh_length'; is 'front_thigh_length'"),
         ((1.0, None, {'torque': 0.0}), "dJ_dm has the name 'torque'; is 'torques' meant"),
         ((1.0, None, {'torques': 0.0}), r'the shape \(\), must have \(25, 12\)'),
@@ -253,6 +255,10 @@ def test_an_objective_says_what_it_needs():
         lw.Objective(3)
     with pytest.raises(lw.InputError, match='length: weight must be a positive number, is 0'):
         lw.Objective(length, weight=0)
+    for key, wrong in (('weight', 'a'), ('weight', None), ('weight', [1.0]), ('reference', 'a')):
+        with pytest.raises(lw.InputError, match=f'length: {key} must be a positive number, is '):
+            lw.Objective(length, **{key: wrong})
+    assert lw.Objective(length, weight=np.float32(2.0), reference=None).weight == 2.0
 
 
 def test_a_first_guess_without_any_of_it_has_no_reference(puppy):

@@ -38,6 +38,11 @@ def made(printed) -> parts.Parts:
     return printed('puppy')
 
 
+def test_a_notebook_shows_parts_in_a_line(made):
+    said = 'different parts, 9 to print, all checks pass; in'
+    assert repr(made) == f'<Parts of printed_puppy: {len(made.parts)} {said} {made.folder}>'
+
+
 def test_left_and_right_are_parts_of_their_own_and_equal_ones_are_counted(made):
     assert [(part.name, part.count, part.links) for part in made.parts] == [
         ('FL_thigh', 2, ['FL_thigh', 'HL_thigh']),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from legwright import InputError, parts
+from legwright import InputError, Robot, parts
 from legwright.parts._fit import Distances, check_ranges, things_of
 from legwright.parts._robot import home_of, read_built
 
@@ -76,6 +76,19 @@ def test_options_that_leave_nothing_are_refused(dog, tmp_path):
         parts.make(dog, tmp_path / 'out', parts.PartOptions(wall=0.0))
     with pytest.raises(InputError, match='nothing of FL_thigh is left.*smaller --fit'):
         parts.make(dog, tmp_path / 'out', parts.PartOptions(fit=200.0))
+
+
+def test_what_is_no_path_and_no_options_is_told(dog, tmp_path):
+    for call, words in (
+        (lambda: parts.make(Robot(dog), tmp_path / 'out'), 'robot is a Robot; expected a path'),
+        (lambda: parts.make(dog, 3), 'folder is an integer; expected a path'),
+        (lambda: parts.make(dog, tmp_path / 'out', {'fit': 0.2}), 'options is a table; expected'),
+    ):
+        with pytest.raises(TypeError, match=words):
+            call()
+    with pytest.raises(InputError, match='folder: is empty; expected a path'):
+        parts.make(dog, '')
+    assert not (tmp_path / 'out').exists()
 
 
 def test_what_is_played_a_little_beyond_a_limit_is_no_fault_of_the_range(dog, printed, tmp_path):

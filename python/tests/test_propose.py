@@ -37,8 +37,10 @@ def test_proposals_are_those_of_init(bare, tmp_path):
     robot = lw.Robot(written)
     assert set(robot.parameters) == set(proposals)
     assert robot.parameters['front_thigh_length'].bounds == pytest.approx(thigh.bounds)
+    assert repr(lw.Robot(bare).parameters) == '<no parameters: the body stays as it is>'
     again = lw.propose(written)
     assert set(again.declared) == set(proposals) and len(again) == 0
+    assert repr(again) == f'<no proposals; {len(proposals)} parameters are declared>'
 
 
 def test_write_puts_them_into_the_robots_own_file(bare):

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import dask
 import legwright as lw
+import numpy as np
 import pyarrow.parquet
 import pytest
 from legwright import study
@@ -314,13 +315,42 @@ def test_folders_that_cannot_serve_are_refused(client, tmp_path):
     with pytest.raises(lw.IoError, match='holds something else than a study'):
         study.run(tiny(), tmp_path / 'other', client=client)
     assert os.listdir(tmp_path / 'other') == ['file']
-    with pytest.raises(ValueError, match='workers is 0'):
+    with pytest.raises(ValueError, match='workers: is 0; expected 1 to'):
         study.run(tiny(), tmp_path / 'new', workers=0)
     with pytest.raises(lw.IoError, match='is a file'):
         study.run(tiny(), tmp_path / 'other/file', client=client)
     folder = StudyFolder.make(tmp_path / 'busy')
     with folder.locked(), pytest.raises(lw.IoError, match='another `legwright study`'):
         study.run(tiny(), tmp_path / 'busy', client=client)
+
+
+def test_what_a_study_cannot_be_asked_is_told_before_it_begins(tmp_path):
+    folder = tmp_path / 'study'
+    for call, error, words in (
+        (lambda: study.run(3, folder), TypeError, 'study is an integer; expected a path'),
+        (lambda: study.run('', folder), lw.InputError, 'study: is empty; expected a path'),
+        (lambda: study.run(tiny(), 3), TypeError, 'folder is an integer; expected a path'),
+        (lambda: study.run(tiny(), ''), lw.InputError, 'folder: is empty; expected a path'),
+        (lambda: study.run(tiny(), folder, workers='a'), lw.InputError, 'workers: is a text'),
+        (lambda: study.run(tiny(), folder, workers=1.5), lw.InputError, 'workers: is a number'),
+        (lambda: study.run(tiny(), folder, on_point=3), TypeError, 'on_point is an integer; exp'),
+        (
+            lambda: study.run(tiny(grid={'gait.period': [0.4]}), folder),
+            lw.InputError,
+            r"gait\.period.*: has a dot; give a table in its table: {'gait': {'period': ",
+        ),
+    ):
+        with pytest.raises(error, match=words):
+            call()
+    assert not any(folder.rglob('point.json'))
+
+
+def test_a_design_is_asked_for_by_any_integer(client, tmp_path):
+    found = study.run(tiny(), tmp_path / 'study', client=client)
+    assert found.design(np.int64(1)).F == found.design(1).F == found.design(found.points[1]).F
+    for wrong, words in (('a', 'a text'), (True, 'true or false'), (0.0, 'a number')):
+        with pytest.raises(TypeError, match=f'point is {words}; expected a number or one of'):
+            found.design(wrong)
 
 
 def test_a_worker_that_does_not_see_the_folder_fails_the_point_alone(client, tmp_path):

@@ -68,6 +68,12 @@ def test_a_task_without_a_period_is_checked_at_once_too():
 def test_what_toml_has_no_word_for_is_a_type_error():
     with pytest.raises(TypeError, match='not object'):
         lw.Task('walk', (0.0, 0.1), period=1.0, style={'com_height': object()})
+    with pytest.raises(TypeError, match='weights: 3 is no name of a key; expected a text'):
+        lw.Task('walk', (0.0, 0.1), weights={3: 1.0})
+    with pytest.raises(lw.InputError, match='name: is .*, which is no text in UTF-8'):
+        lw.Task('walk', (0.0, 0.1), name='\ud800')
+    with pytest.raises(lw.InputError, match='weights: .* is no text in UTF-8; expected the name'):
+        lw.Task('walk', (0.0, 0.1), weights={'\ud800': 1.0})
 
 
 def test_a_wrong_file_is_told_by_file_and_line(tmp_path, examples):

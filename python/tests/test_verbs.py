@@ -24,6 +24,8 @@ def test_a_design_is_judged_drawn_told_and_exported(walk, saved, tmp_path):
     judged = saved.validate(quick=True)
     assert judged and str(judged) == judged.line == lw.validate(walk).line
     assert judged.reasons == () and judged.tasks == {}
+    for said in (judged, lw.validate(walk)):
+        assert judged.line in repr(said) and len(repr(said)) < 400  # a notebook shows it
     assert judged.metrics['result']['default']['speed_ratio'] > 0.95
     assert judged.numerics is None and judged.robustness is None
 

@@ -8,7 +8,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from legwright._arguments import path_of
 from legwright._errors import InputError
+from legwright._options import kind_of
 from legwright.parts._as_printed import as_printed, check_as_printed
 from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import Load, check_beams, run_loads
@@ -37,7 +39,7 @@ SCENE, PICTURE = 'exploded.xml', 'exploded.png'
 """The exploded view; `legwright parts` draws the picture of the scene."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Parts:
     """The parts of a robot, with what was checked."""
 
@@ -52,6 +54,12 @@ class Parts:
     def passed(self) -> bool:
         """Whether nothing failed."""
         return all(check.passed for check in self.checks)
+
+    def __repr__(self) -> str:
+        failed = sum(not check.passed for check in self.checks)
+        said = f'{failed} of {len(self.checks)} checks fail' if failed else 'all checks pass'
+        parts = f'{len(self.parts)} different parts, {sum(part.count for part in self.parts)}'
+        return f'<Parts of {self.robot.name}: {parts} to print, {said}; in {self.folder}>'
 
 
 def robot_file(path: Path) -> Path:
@@ -146,6 +154,12 @@ def _part_json(part: Part) -> dict[str, Any]:
     }
 
 
+def _options_of(given: Any) -> PartOptions:
+    if given is None or isinstance(given, PartOptions):
+        return given or PartOptions()
+    raise TypeError(f'options is {kind_of(given)}; expected PartOptions, as PartOptions(fit=0.2)')
+
+
 def make(
     robot: str | os.PathLike[str],
     folder: str | os.PathLike[str] = 'parts',
@@ -156,14 +170,15 @@ def make(
     STL and 3MF in millimetres, bill of materials, checks.json, of a run also that run with the
     masses of its parts; docs/parts.md tells what is cut and checked. The same robot gives the same
     bytes. Raises InputError for a robot that was not built from an assembly, IoError where the
-    folder holds something else.
+    folder holds something else, TypeError for what is no path, or no PartOptions.
     """
-    options = options or PartOptions()
+    options = _options_of(options)
     if faults := options.faults():
         raise InputError('\n'.join(faults))
-    place = Path(folder)
+    path, place = (
+        path_of(what, each, absolute=False) for what, each in (('robot', robot), ('folder', folder))
+    )
     check_place(place)
-    path = Path(robot)
     built = read_built(robot_file(path))
     options = replace(options, bed=options.bed_for(built.bed))
     use = _use_of(built, path)

@@ -108,7 +108,7 @@ class Assemblies:
         self, text: str, file: Path, own: Mapping[Key, Any], places: Places
     ) -> Built | None:
         try:
-            xml, refusal = _core.build_robot(text, file, self._modules)
+            built = _core.build_robot(text, file, self._modules, file)
         except InputError as error:
             for each in error.reasons or (error,):
                 self._tell(each, file, own, places)
@@ -116,7 +116,8 @@ class Assemblies:
         except IoError as error:
             self._problems.add(('library',), str(error))
             return None
-        return Built(text, xml, refusal.removeprefix(f'{file}: '))
+        refusal = '' if built.refusal is None else str(built.refusal)
+        return Built(text, built.xml, refusal.removeprefix(f'{file}: '))
 
     def _tell(
         self, error: InputError, file: Path, own: Mapping[Key, Any], places: Places

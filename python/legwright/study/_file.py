@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from legwright import _core
+from legwright._arguments import path_of
 from legwright._errors import InputError
 from legwright._files import read_text
 from legwright._options import kind_of
@@ -22,6 +23,8 @@ KEYS += ('codesign', 'validate', 'grid', 'points')
 FILES = ('robot', 'assembly', 'task')
 """Keys that name files, alone or in the grid."""
 _FIXED = ('name', 'pictures', 'best', 'library', 'base', 'grid', 'points')
+_DOT_OF_FILE = 'has a dot within quotes; write the key without quotes: gait.period'
+_DOT_OF_DICT = "has a dot; give a table in its table: {'gait': {'period': [0.8, 1.0]}}"
 OPTIONS = {'codesign': _options.CODESIGN, 'validate': _options.VALIDATE}
 
 
@@ -90,7 +93,7 @@ def _check_setting(key: Key, value: Any, place: Key, problems: Problems) -> bool
     @return whether it is fine"""
     before = len(problems)
     if '.' in key[-1] or any('.' in name for name in key[:-1]):
-        problems.add(place, 'has a dot within quotes; write the key without quotes: gait.period')
+        problems.add(place, _DOT_OF_DICT if problems.file == MADE else _DOT_OF_FILE)
     elif key[0] in FILES and len(key) == 1:
         if not isinstance(value, str):
             problems.add(place, f'is {kind_of(value)}; expected the path of a file')
@@ -274,12 +277,13 @@ def read_study(study: str | os.PathLike[str] | Mapping[str, Any]) -> StudyFile:
     """A study file, or a mapping with its keys.
 
     Raises:
+        TypeError: for what is neither.
         InputError: where it cannot be read, or nothing can be told of its points. What is wrong
             besides is in `problems`, which points_of() raises with what is wrong of points.
     """
     if isinstance(study, Mapping):
         return _parse(_plain(study), MADE, '', {})
-    file = Path(study)
+    file = path_of('study', study, absolute=False)
     try:
         text = read_text(file)
     except OSError as error:

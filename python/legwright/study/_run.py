@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A study from its file to its table and page."""
 
+import numbers
 import os
 import time
 import warnings
@@ -11,8 +12,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from legwright._arguments import path_of
 from legwright._design import Design
 from legwright._errors import LegwrightWarning
+from legwright._options import Option, checked, kind_of
 from legwright.study._extra import require_extra
 from legwright.study._file import MADE, StudyFile, read_study
 from legwright.study._folder import FolderRobots, StudyFolder, write_text
@@ -21,6 +24,7 @@ from legwright.study._points import Point, points_of
 from legwright.study._work import Job, work
 
 _LATE = 30.0  # [s]
+_WORKERS = Option(int, None, 1, 100000)
 
 
 @dataclass(frozen=True)
@@ -73,10 +77,14 @@ class Study:
     def design(self, point: Point | int) -> Design:
         """The design of a point, or of the point with this number.
 
-        Raises IndexError where there is no such point, IoError where it has no design.
+        Raises IndexError where there is no such point, IoError where it has no design, TypeError
+        for what is neither.
         """
-        chosen = self.points[point] if isinstance(point, int) else point
-        return Design.load(self._folder.point(chosen.hash))
+        if isinstance(point, numbers.Integral) and not isinstance(point, bool):
+            point = self.points[int(point)]
+        if not isinstance(point, Point):
+            raise TypeError(f'point is {kind_of(point)}; expected a number or one of `points`')
+        return Design.load(self._folder.point(point.hash))
 
     @property
     def best(self) -> Point | None:
@@ -150,16 +158,19 @@ def run(
 
     Raises:
         ImportError: without the extra `study`, with what to install.
-        InputError: for a study, task or robot that is wrong, by file, line and key; nothing runs.
+        InputError: for a study, task or robot that is wrong, by file, line and key, and for workers
+            that are no number from 1 on; nothing runs.
         IoError: where the folder holds something else, or no scheduler answers.
-        ValueError: for fewer than one worker.
+        TypeError: for a study, folder or on_point that is something else.
         KeyboardInterrupt: on Ctrl-C; what is done is kept, table and page tell of it.
     """
-    if workers is not None and workers < 1:
-        raise ValueError(f'workers is {workers}; expected 1 or more')
+    workers = checked({'workers': _WORKERS}, {'workers': workers})['workers']
+    if on_point is not None and not callable(on_point):
+        raise TypeError(f'on_point is {kind_of(on_point)}; expected a function of a Done')
+    named = None if folder is None else path_of('folder', folder, absolute=False)
     read = read_study(study)
     require_extra()
-    place = StudyFolder.make(Path(folder) if folder is not None else default_folder(study))
+    place = StudyFolder.make(named or default_folder(study))
     with place.locked():
         place.sweep()
         try:
