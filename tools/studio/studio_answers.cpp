@@ -114,6 +114,9 @@ StudioReply StudioService::answer(const StudioRequest& request) {
     return {409, to_line(error_json(error.what()))};
   } catch (const std::system_error& error) {
     return {409, to_line(error_json(error.what()))};
+  } catch (const SessionClosed&) {
+    return {409, to_line(error_json("another page has opened something else, so this was not done; "
+                                    "look at what is open now"))};
   } catch (const std::exception& error) {
     return {500, to_line(error_json(std::string("internal error: ") + error.what()))};
   }

@@ -52,6 +52,10 @@ void StudioService::take_assembly(Opening opening) {
       hub_, meshes_);
   if (is_kept) next->keep();
   leave();
+  {
+    const std::lock_guard lock(mutex_);
+    close_bench();
+  }
   hub_.forget("");
   if (is_kept)
     KeptSessions::remove(opening.taken_up);

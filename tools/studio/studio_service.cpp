@@ -50,6 +50,7 @@ bool StudioService::is_untouched(const SessionSnapshot& last) const {
 
 void StudioService::leave() {
   const std::lock_guard lock(mutex_);
+  if (workspace_) workspace_->close();  // requests that still have it may tell nothing any more
   if (workspace_ && folder_) {
     const SnapshotPointer last = workspace_->session().snapshot();
     if (is_untouched(*last) || saved_ == last->state) folder_->forget();
@@ -58,6 +59,13 @@ void StudioService::leave() {
   folder_.reset();
   saved_.reset();
   began_.reset();
+}
+
+void StudioService::close_bench() {
+  if (!bench_) return;
+  bench_->close();
+  bench_.reset();
+  hub_.forget("assembly");
 }
 
 bool StudioService::stands_in(const fs::path& run) const {
@@ -155,7 +163,7 @@ void StudioService::take(Opening opening) {
     workspace_ = std::move(next);
     folder_ = std::move(folder);
     if (!opening.of_modules) {
-      bench_.reset();
+      close_bench();
       carried_.reset();
     }
     opened_ = std::move(opening);

@@ -135,6 +135,8 @@ class StudioService {
   /// Closes what is open. A session whose state was saved, or in which nothing was done, need not
   /// be kept.
   void leave();
+  /// By mutex_: nothing is on the bench any more.
+  void close_bench();
 
   StudioOptions options_;
   AllowedPaths paths_;
