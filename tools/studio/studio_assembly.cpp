@@ -58,7 +58,7 @@ void StudioService::take_assembly(Opening opening) {
   }
   hub_.forget("");
   if (is_kept)
-    KeptSessions::remove(opening.taken_up);
+    kept_.remove(opening.taken_up);
   else if (!opening.origin.empty())
     kept_.note_recent(opening.origin, name);
   opening.origin = next->origin();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ namespace legwright {
 namespace {
 
 using namespace std::chrono_literals;
+namespace fs = std::filesystem;
 using test::Browser;
 using test::OpenStudio;
 
@@ -75,6 +77,63 @@ TEST_F(LeavingTest, WhoStillAsksWhatWasOpenIsRefusedAndNothingOfItIsTold) {
   });
   EXPECT_EQ(shown, bodies) << "not that of what was open";
   EXPECT_FALSE(plays);
+}
+
+/// A program in the place of legwright that waits for a file, `go`, and then exports, or plays.
+std::string waiting_program(const fs::path& folder) {
+  const fs::path program = folder / "program";
+  write_file(program, R"(#!/bin/sh
+while [ ! -e "$(dirname "$0")/go" ]; do sleep 0.02; done
+[ -e "$2/run.json" ] || { echo "$2 holds no run" >&2; exit 2; }
+[ "$1" = validate ] || cp -r "$2" "$4"
+)");
+  fs::permissions(program, fs::perms::owner_all);
+  return program.string();
+}
+
+TEST(LeavingWorkTest, AnExportGoesOnToItsEndAndAJudgeOfWhatWasOpenEnds) {
+  const test::TemporaryFolder programs;
+  OpenStudio studio(test::kSidewaysTask, waiting_program(programs.path()));
+  Browser& browser = *studio.browser;
+  (void)browser.settled();
+  const fs::path exported = studio.folder.path() / "exported",
+                 state = studio.folder.path() / "state";
+  const auto begun = [&](const std::string& kind) {
+    return browser.next(kind, [](const Json& j) { return j["words"] == "playing"; });
+  };
+  ASSERT_EQ(browser.post("/api/export", {{"path", exported.string()}})["status"], 200);
+  ASSERT_FALSE(begun("job").is_null());
+  ASSERT_EQ(browser.post("/api/judge", Json::object())["status"], 200);
+  ASSERT_FALSE(begun("judge").is_null());
+  const std::string other = test::source_dir() + "/examples/puppy/turning.toml";
+  ASSERT_EQ(browser.post("/api/open", {{"path", other}})["status"], 200);
+  write_file(programs.path() / "go", "");
+  const Json done = browser.next("job", [](const Json& j) { return !j["running"]; });
+  ASSERT_TRUE(done.is_object());
+  EXPECT_EQ(done.value("path", ""), exported.string()) << done;
+  EXPECT_TRUE(fs::is_regular_file(exported / "run.json"));
+  const auto of_judge = [](const std::string& kind, const Json&) { return kind == "judge"; };
+  EXPECT_TRUE(browser.follow(of_judge, 1s).is_null()) << "of another robot than what is open";
+  studio.server->stop();
+  std::size_t sessions = 0;
+  for (const auto& entry : fs::directory_iterator(state / "sessions")) {
+    EXPECT_TRUE(fs::exists(entry.path() / "about.json")) << entry.path();
+    ++sessions;
+  }
+  EXPECT_EQ(sessions, 1U) << "that of what is open";
+}
+
+TEST_F(LeavingTest, WorkThatDiedLeavesNothingBehind) {
+  const KeptSessions kept(studio_.folder.path() / "state");
+  const fs::path dead = kept.root() / "work" / "20260101-000000-judged-0";
+  fs::create_directories(dead / "run");
+  const auto lives = kept.begin_work("judged");
+  EXPECT_FALSE(fs::exists(dead));
+  auto next = kept.begin_work("judged");
+  EXPECT_TRUE(fs::exists(lives->path())) << "is held";
+  const fs::path gone = next->path();
+  next.reset();
+  EXPECT_FALSE(fs::exists(gone));
 }
 
 TEST_F(LeavingTest, AnAssemblyThatIsLeftObeysNoMore) {
