@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -63,6 +64,12 @@ struct SessionEvent {
   std::string words;
 };
 std::string_view to_string(SessionEvent::Kind kind);
+
+/// A session that was closed is asked for something.
+class SessionClosed : public std::invalid_argument {
+ public:
+  SessionClosed() : std::invalid_argument("the session is closed") {}
+};
 
 /// Co-design with somebody who takes part. Every call may come from any thread. A worker thread
 /// owns the state: it obeys commands in their order, at once, and does the long work between them:
@@ -122,7 +129,7 @@ class Session {
   SessionRecord record();
   /// Ends what goes on, within one Newton step but for a journal that is being obeyed. Calls that
   /// wait for their turn, and all after this one that change or ask the worker, throw
-  /// std::invalid_argument.
+  /// SessionClosed.
   void close();
 
  private:

@@ -2,7 +2,6 @@
 // What other threads ask of a session: its begin and end, commands into the queue, snapshots and
 // events out of it.
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "tools/session/session.hpp"
@@ -16,9 +15,7 @@ std::vector<std::string> names_of(const session::Edit& edit) {
   return names;
 }
 
-std::exception_ptr closed() {
-  return std::make_exception_ptr(std::invalid_argument("the session is closed"));
-}
+std::exception_ptr closed() { return std::make_exception_ptr(SessionClosed()); }
 
 }  // namespace
 

@@ -38,6 +38,17 @@ void AssemblyBench::keep() {
   folder_->keep();
 }
 
+void AssemblyBench::close() {
+  const std::lock_guard lock(mutex_);
+  closed_ = true;
+}
+
+void AssemblyBench::check_open() const {
+  if (closed_)
+    throw InputError(
+        "another page has opened something else, so this was not done; look at what is open now");
+}
+
 Json AssemblyBench::picture(const AssemblyDesk& desk) const {
   Json out = assembly_json(desk.now(), meshes_);
   out["can_undo"] = desk.can_undo();
@@ -48,6 +59,7 @@ Json AssemblyBench::picture(const AssemblyDesk& desk) const {
 
 Json AssemblyBench::obey(const Json& command) {
   const std::lock_guard lock(mutex_);
+  check_open();
   AssemblyDesk next = desk_;
   const std::string item = next.obey(command);
   Json drawn = picture(next);
@@ -85,6 +97,7 @@ RobotModel AssemblyBench::build(std::vector<std::string>& notes) {
 
 void AssemblyBench::save(const fs::path& file, bool replace) {
   const std::lock_guard lock(mutex_);
+  check_open();
   if (file.extension() != ".toml")
     throw InputError(file.string() + ": an assembly's file ends in .toml");
   if (!replace && fs::exists(file))

@@ -38,6 +38,9 @@ class AssemblyBench {
   /// InputError for a name without .toml.
   void save(const std::filesystem::path& file, bool replace);
 
+  /// Something else is open: commands that still come are refused (InputError), and nothing more is
+  /// told.
+  void close();
   /// Has in its folder what may be missed: it stays there until it is saved.
   void keep();
   std::filesystem::path folder() const;
@@ -45,6 +48,7 @@ class AssemblyBench {
 
  private:
   Json picture(const AssemblyDesk& desk) const;
+  void check_open() const;  // by mutex_
 
   mutable std::mutex mutex_;
   AssemblyDesk desk_;
@@ -54,6 +58,7 @@ class AssemblyBench {
   MeshStore& meshes_;
   std::unique_ptr<SessionFolder> folder_;
   int revision_ = 0;
+  bool closed_ = false;
   Json drawn_;  // what was told last
 };
 

@@ -7,7 +7,10 @@
 
 namespace legwright {
 
-JobRunner::~JobRunner() {
+JobRunner::~JobRunner() { end(); }
+
+void JobRunner::end() {
+  const std::lock_guard lock(mutex_);  // first: nothing else begins meanwhile
   cancel();
   if (thread_.joinable()) thread_.join();
 }

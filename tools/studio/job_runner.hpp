@@ -32,6 +32,8 @@ class JobRunner {
   /// Throws InputError where some goes on already. @param what it is: told with all of it
   void start(const std::string& what, Work work);
   void cancel();
+  /// Cancels, and returns once nothing goes on and nothing more is told.
+  void end();
 
   // For the work itself:
   /// Runs a command and tells of its progress: lines {"stage", "done", "total"} of its messages.

@@ -28,15 +28,42 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kRecentKept = 12, kSessionsKept = 20;
 
-/// Holds a folder's lock, or −1 where another process does.
-int lock_of(const fs::path& folder) {
+/// Holds a folder's lock, or −1 where another process does. @param waits until it can be held
+int lock_of(const fs::path& folder, bool waits = false) {
   const fs::path file = folder / "lock";
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (descriptor < 0)
     throw std::system_error(errno, std::generic_category(), "cannot lock " + file.string());
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  if (::flock(descriptor, waits ? LOCK_EX : LOCK_EX | LOCK_NB) == 0) return descriptor;
   ::close(descriptor);
   return -1;
+}
+
+/// The lock of a folder, held as long as this lives.
+class FolderLock {
+ public:
+  FolderLock(const fs::path& folder, bool waits) : descriptor_(lock_of(folder, waits)) {}
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  bool held() const { return descriptor_ >= 0; }
+
+ private:
+  int descriptor_;
+};
+
+/// Takes a folder away that no process holds.
+void remove_unheld(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) return;
+  try {
+    const FolderLock lock(folder, false);
+    if (lock.held()) fs::remove_all(folder, none);
+  } catch (const std::system_error&) {
+    return;  // somebody else's
+  }
 }
 
 /// Empty where there is none, or something else: somebody's edit.
@@ -109,15 +136,33 @@ std::unique_ptr<SessionFolder> KeptSessions::begin_assembly(const std::string& t
   return out;
 }
 
+std::unique_ptr<SessionFolder> KeptSessions::begin_work(const std::string& name) const {
+  const fs::path above = root_ / "work";
+  fs::create_directories(above);
+  const FolderLock alone(above, true);  // else a folder might go before it is locked
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(above, none)) remove_unheld(entry.path());
+  const fs::path folder = new_folder(above, name);
+  return std::make_unique<SessionFolder>(folder, lock_of(folder));
+}
+
 std::optional<KeptSession> kept_session(const fs::path& folder) {
   std::error_code none;
   if (!fs::is_regular_file(folder / "about.json", none) ||
       !(fs::is_regular_file(folder / "session.jsonl", none) ||
         fs::is_regular_file(folder / kKeptAssembly, none)))
     return std::nullopt;
-  const Json about = read_json(folder / "about.json", "remove the folder");
-  return KeptSession{folder, text_in(about, "origin"), text_in(about, "name"),
-                     text_in(about, "begun")};
+  Json about = Json::object();  // where it is damaged, robot and journal may be whole
+  try {
+    about = parse_json(read_file(folder / "about.json"));
+  } catch (const std::system_error&) {
+    return std::nullopt;  // not to be read, or gone meanwhile
+  } catch (const IoError&) {
+    about = Json::object();
+  }
+  std::string name = text_in(about, "name");
+  if (name.empty()) name = folder.filename().string();
+  return KeptSession{folder, text_in(about, "origin"), std::move(name), text_in(about, "begun")};
 }
 
 std::vector<KeptSession> KeptSessions::left_behind() const {
@@ -130,20 +175,31 @@ std::vector<KeptSession> KeptSessions::left_behind() const {
   for (const fs::path& folder : folders) {
     const auto session = kept_session(folder);
     if (!session) continue;
-    const int lock = lock_of(folder);
-    if (lock < 0) continue;
+    if (is_held(folder)) continue;
     if (out.size() < kSessionsKept)
       out.push_back(*session);
     else
-      fs::remove_all(folder, none);
-    ::close(lock);
+      remove_unheld(folder);
   }
   return out;
 }
 
-void KeptSessions::remove(const fs::path& folder) {
+bool KeptSessions::is_held(const fs::path& folder) {
+  try {
+    return !FolderLock(folder, false).held();
+  } catch (const std::system_error&) {
+    return true;  // another user's
+  }
+}
+
+bool KeptSessions::owns(const fs::path& folder) const {
+  std::error_code none;
+  return fs::equivalent(folder.parent_path(), root_ / "sessions", none);
+}
+
+void KeptSessions::remove(const fs::path& folder) const {
   std::error_code ignored;
-  fs::remove_all(folder, ignored);
+  if (owns(folder)) fs::remove_all(folder, ignored);
 }
 
 fs::path KeptSessions::new_robot_folder() const { return new_folder(root_ / "robots", "dropped"); }

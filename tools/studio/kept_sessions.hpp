@@ -64,10 +64,17 @@ class KeptSessions {
   /// A new folder with an assembly's text.
   std::unique_ptr<SessionFolder> begin_assembly(const std::string& text, const std::string& origin,
                                                 const std::string& name) const;
+  /// A new folder for work in the background, which goes with this; those of programs that died go
+  /// now.
+  std::unique_ptr<SessionFolder> begin_work(const std::string& name) const;
   /// Those that no program works on, the newest first.
   std::vector<KeptSession> left_behind() const;
-  /// Takes one away that was taken up, or is not wanted.
-  static void remove(const std::filesystem::path& folder);
+  /// Whether a folder is one of these sessions, not a copy.
+  bool owns(const std::filesystem::path& folder) const;
+  /// Takes one away that was taken up; a copy that somebody keeps elsewhere stays.
+  void remove(const std::filesystem::path& folder) const;
+  /// Whether a program works on a session, or another user's may.
+  static bool is_held(const std::filesystem::path& folder);
   /// A new folder for a robot that comes without one.
   std::filesystem::path new_robot_folder() const;
 

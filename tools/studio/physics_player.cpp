@@ -176,13 +176,15 @@ class PhysicsPlayer::Play {
 PhysicsPlayer::PhysicsPlayer(RobotModel robot, EventHub& hub)
     : robot_(std::move(robot)), hub_(hub), thread_([this] { run(); }) {}
 
-PhysicsPlayer::~PhysicsPlayer() {
+PhysicsPlayer::~PhysicsPlayer() { close(); }
+
+void PhysicsPlayer::close() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
   }
   changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void PhysicsPlayer::set(const PhysicsSettings& settings) {

@@ -44,6 +44,8 @@ class PhysicsPlayer {
   /// @param hub must live longer
   PhysicsPlayer(RobotModel robot, EventHub& hub);
   ~PhysicsPlayer();
+  /// Ends it: nothing more is played or told. By one thread at a time.
+  void close();
   PhysicsPlayer(const PhysicsPlayer&) = delete;
   PhysicsPlayer& operator=(const PhysicsPlayer&) = delete;
 

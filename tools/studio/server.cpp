@@ -30,6 +30,7 @@ using namespace std::chrono_literals;
 constexpr int kStreams = 4;   // that follow events
 constexpr int kThreads = 48;  // each connection holds one: streams, and six of each browser
 constexpr std::size_t kBody = std::size_t{1} << 20, kUpload = std::size_t{64} << 20;
+constexpr std::size_t kDropped = kUpload / 4 * 3;  // of files as base64
 constexpr const char* kJson = "application/json";
 
 RequestOrigin origin_of(const httplib::Request& request) {
@@ -73,6 +74,26 @@ void refuse(httplib::Response& response, int status, const std::string& words) {
   send_json(response, std::make_shared<const std::string>(to_line(json)));
 }
 
+/// A body as far as it was read.
+struct ReadBody {
+  std::string text;      // of one of at most so many bytes
+  std::size_t size = 0;  // [bytes]
+  bool whole = false;
+};
+
+/// Reads a body to its end, also where it is refused: else the rest of it would be taken for the
+/// next request. Of one that is larger than any may be, as what unfolds or comes in chunks, no more
+/// is read. @param most bytes that are kept
+ReadBody read_body(const httplib::ContentReader& reader, std::size_t most) {
+  ReadBody out;
+  out.whole = reader([&](const char* bytes, std::size_t count) {
+    out.size += count;
+    if (out.size <= most) out.text.append(bytes, count);
+    return out.size <= kUpload;
+  });
+  return out;
+}
+
 std::string event_text(const StudioEvent& event) {
   return fmt::format("event: {}\ndata: {}\n\n", event.kind, *event.json);
 }
@@ -114,13 +135,23 @@ struct StudioServer::Parts {
     http.Post(R"(/.*)",
               [this](const httplib::Request& request, httplib::Response& response,
                      const httplib::ContentReader& reader) { post(request, response, reader); });
-    http.Delete(R"(/.*)",
-                [this](const auto& request, auto& response) { plain(request, response); });
+    // Handlers that read bodies themselves keep none of whoever sends them.
+    http.Delete(R"(/.*)", [this](const httplib::Request& request, httplib::Response& response,
+                                 const httplib::ContentReader& reader) {
+      plain(request, response);
+      (void)read_body(reader, 0);
+    });
     const auto no_method = [](const httplib::Request&, httplib::Response& response) {
       refuse(response, 405, "the studio knows GET, POST and DELETE");
     };
-    http.Put(R"(/.*)", no_method);
-    http.Patch(R"(/.*)", no_method);
+    const auto no_method_with_body = [no_method](const httplib::Request& request,
+                                                 httplib::Response& response,
+                                                 const httplib::ContentReader& reader) {
+      no_method(request, response);
+      (void)read_body(reader, 0);
+    };
+    http.Put(R"(/.*)", no_method_with_body);
+    http.Patch(R"(/.*)", no_method_with_body);
     http.Options(R"(/.*)", no_method);
   }
 
@@ -175,25 +206,21 @@ struct StudioServer::Parts {
     if (let_in(request, response)) answer(request, response, nullptr);
   }
 
-  // What is refused is read all the same, to its end: else the rest of it would be taken for the
-  // next request.
   void post(const httplib::Request& request, httplib::Response& response,
             const httplib::ContentReader& reader) {
     const bool may = let_in(request, response);
     const std::size_t most = request.path == "/api/open" ? kUpload : kBody;
-    std::string body;
-    std::size_t size = 0;
-    const bool whole = reader([&](const char* bytes, std::size_t count) {
-      size += count;
-      if (may && size <= most) body.append(bytes, count);
-      return true;
-    });
-    if (!whole && response.status < 400) return refuse(response, 413, "the body is too big");
-    if (!may || !whole) return;
-    if (size > most)
+    const ReadBody body = read_body(reader, may ? most : 0);
+    if (!may) return;
+    if (!body.whole || body.size > most) {
+      if (most == kBody)
+        return refuse(response, 413, fmt::format("the body has more than {} bytes", most));
       return refuse(response, 413,
-                    fmt::format("the body has {} bytes; expected at most {}", size, most));
-    Json json = parse_json(body);
+                    fmt::format("these files have more than {} MB in all; put them into a folder "
+                                "below those of --roots, and open the robot there by its path",
+                                kDropped >> 20));
+    }
+    Json json = parse_json(body.text);
     if (json.is_discarded()) return refuse(response, 400, "the body is no JSON");
     answer(request, response, std::move(json));
   }

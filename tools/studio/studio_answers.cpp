@@ -114,6 +114,9 @@ StudioReply StudioService::answer(const StudioRequest& request) {
     return {409, to_line(error_json(error.what()))};
   } catch (const std::system_error& error) {
     return {409, to_line(error_json(error.what()))};
+  } catch (const SessionClosed&) {
+    return {409, to_line(error_json("another page has opened something else, so this was not done; "
+                                    "look at what is open now"))};
   } catch (const std::exception& error) {
     return {500, to_line(error_json(std::string("internal error: ") + error.what()))};
   }
@@ -303,17 +306,16 @@ Json StudioService::post_tasks(const StudioRequest& request) {
 }
 
 Json StudioService::post_save(const StudioRequest& request) {
-  const auto space = workspace();
   const auto path = paths_.to_write(needed<std::string>(request.body, "path"));
-  const bool force = request.body.value("force", false);
-  const SessionRecord record = space->session().record();
-  save(record, path, force);
+  const bool force = given_or(request.body, "force", false);
+  const WhatStands now = standing();
+  save(now, path, force);
   {
     const std::lock_guard lock(mutex_);
-    saved_ = record.state;
+    saved_ = now.record.state;
     saved_at_ = path;
   }
-  kept_.note_recent(path, session_name(label(), path));
+  kept_.note_recent(path, session_name(now.label, path));
   return {{"path", path.string()}};
 }
 

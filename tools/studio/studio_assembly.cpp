@@ -52,9 +52,13 @@ void StudioService::take_assembly(Opening opening) {
       hub_, meshes_);
   if (is_kept) next->keep();
   leave();
+  {
+    const std::lock_guard lock(mutex_);
+    close_bench();
+  }
   hub_.forget("");
   if (is_kept)
-    KeptSessions::remove(opening.taken_up);
+    kept_.remove(opening.taken_up);
   else if (!opening.origin.empty())
     kept_.note_recent(opening.origin, name);
   opening.origin = next->origin();
@@ -85,12 +89,12 @@ Json StudioService::post_assembly(const StudioRequest& request) {
 
 /// The robot as it stands, opened with a first task; the assembly stays on the bench.
 Json StudioService::post_build(const StudioRequest&) {
+  const std::lock_guard opening_lock(opening_);  // first: another page may open something else
   const auto assembly = bench();
   std::vector<std::string> notes;
   Opening opening = first_opening(assembly->build(notes));
   opening.origin = assembly->origin();
   opening.of_modules = true;
-  const std::lock_guard opening_lock(opening_);
   std::optional<CarriedDesign> before;
   {
     const std::lock_guard lock(mutex_);
@@ -108,8 +112,8 @@ Json StudioService::post_build(const StudioRequest&) {
 
 /// From the robot that was built of it back to the assembly.
 Json StudioService::post_bench(const StudioRequest&) {
+  const std::lock_guard opening_lock(opening_);  // as above
   const auto assembly = bench();
-  const std::lock_guard opening_lock(opening_);
   const bool is_left = [this] {
     const std::lock_guard lock(mutex_);
     if (!workspace_) return false;

@@ -16,22 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run that was saved for a piece of work alone, and goes with it.
-class PassingRun {
- public:
-  explicit PassingRun(fs::path folder) : folder_(std::move(folder)) {}
-  ~PassingRun() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  PassingRun(const PassingRun&) = delete;
-  PassingRun& operator=(const PassingRun&) = delete;
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
-
 /// The task file of a state whose body is that of `robot` beside it: with the state's weights and
 /// bounds, what is locked frozen, and the body that was given to begin with.
 std::string text_from_here(const SessionState& state, const std::string& robot) {
@@ -68,19 +52,22 @@ Json judged_json(const SessionState& state) {
 
 }  // namespace
 
-fs::path StudioService::scratch(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
-  if (!folder_) throw InputError("nothing is open; open a robot, a task file or a run first");
-  return folder_->path() / name;
-}
-
-void StudioService::save(const SessionRecord& record, const fs::path& run, bool force) const {
-  SavedFrom from;
+WhatStands StudioService::standing() const {
+  std::shared_ptr<Workspace> space;
+  WhatStands out;
   {
     const std::lock_guard lock(mutex_);
-    from = {opened_.origin, opened_.robot_file};
+    space = workspace_;
+    out.from = {opened_.origin, opened_.robot_file};
+    out.label = opened_.label;
   }
-  options_.save(record, run, force, from);
+  if (!space) throw InputError("nothing is open; open a robot, a task file or a run first");
+  out.record = space->session().record();
+  return out;
+}
+
+void StudioService::save(const WhatStands& what, const fs::path& run, bool force) const {
+  options_.save(what.record, run, force, what.from);
 }
 
 /// A run's verdict at three gains, written into it.
@@ -100,17 +87,16 @@ void StudioService::play_if_it_goes(JobRunner& job, const fs::path& run) {
 
 /// Saves what stands now, plays it at three gains in a process of its own, and tells the verdict.
 Json StudioService::post_judge(const StudioRequest&) {
-  const auto space = workspace();
-  const fs::path folder = scratch("judged");
-  auto record = std::make_shared<SessionRecord>(space->session().record());
-  judge_.start("judge", [this, folder, record](JobRunner& job) {
-    const PassingRun run(folder);
+  const auto now = std::make_shared<const WhatStands>(standing());
+  judge_.start("judge", [this, now](JobRunner& job) {
+    const auto work = kept_.begin_work("judged");
+    const fs::path run = work->path() / "run";
     job.tell({{"words", "saving"}, {"done", 0}, {"of", 0}, {"lines", Json::array()}}, true);
-    save(*record, run.folder(), true);
-    play(job, run.folder());
-    Json told = verdict_lines(run.folder());
-    note_verdict(*record->state, told["verdict"]["word"]);
-    told["judged"] = judged_json(*record->state);
+    save(*now, run, true);
+    play(job, run);
+    Json told = verdict_lines(run);
+    note_verdict(*now->record.state, told["verdict"]["word"]);
+    told["judged"] = judged_json(*now->record.state);
     told["done"] = told["of"] = 1;
     job.tell(std::move(told), false);
   });
@@ -146,11 +132,6 @@ Json StudioService::verdict_on(const SessionState& state) const {
   return nullptr;
 }
 
-std::string StudioService::label() const {
-  const std::lock_guard lock(mutex_);
-  return opened_.label;
-}
-
 Json StudioService::delete_judge(const StudioRequest&) {
   judge_.cancel();
   return Json::object();
@@ -159,23 +140,21 @@ Json StudioService::delete_judge(const StudioRequest&) {
 /// `optimize` from the body that stands, which plays what it finds and hands back what passes: a
 /// run of its own. The session stays as it is, whose motions are those of the task as written.
 Json StudioService::post_optimize(const StudioRequest& request) {
-  const auto space = workspace();
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
-  const fs::path folder = scratch("asked");
-  const std::string name = session_name(label(), path), robot = plain_name(label()) + ".xml";
-  auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start("optimize", [this, path, folder, record, name, robot](JobRunner& job) {
-    const PassingRun run(folder);
-    save(*record, run.folder(), true);
-    const fs::path result = run.folder() / "result", task = result / "task.toml";
+  const auto now = std::make_shared<const WhatStands>(standing());
+  jobs_.start("optimize", [this, path, now](JobRunner& job) {
+    const auto work = kept_.begin_work("asked");
+    save(*now, work->path() / "run", true);
+    const fs::path result = work->path() / "run" / "result", task = result / "task.toml";
+    const std::string robot = plain_name(now->label) + ".xml";
     fs::copy_file(result / "robot.xml", result / robot, fs::copy_options::skip_existing);
-    write_file(task, text_from_here(*record->state, robot));
+    write_file(task, text_from_here(*now->record.state, robot));
     const bool passes = job.run("searching, with MuJoCo's verdicts",
                                 {options_.program.string(), "optimize", task.string(), "-o",
                                  path.string(), "--no-pictures", "--no-reasons", "--progress"},
                                 1);
-    kept_.note_recent(path, name);
+    kept_.note_recent(path, session_name(now->label, path));
     if (passes) play_if_it_goes(job, path);  // its own verdict, for its report and export
     job.tell({{"words", "written"}, {"path", path.string()}, {"passes", passes}}, false);
     hub_.notice(passes ? "done" : "error",
@@ -194,17 +173,16 @@ Json StudioService::delete_job(const StudioRequest&) {
 
 /// Saves a run, validates it and draws it, so that its report has all that reports have.
 Json StudioService::post_report(const StudioRequest& request) {
-  const auto space = workspace();
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   const bool saved = stands_in(path);
   if (!saved && fs::exists(path / "run.json"))
     throw InputError(path.string() +
                      ": holds another state than what stands; save that there first, in its place, "
                      "or name a new folder");
-  auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start("report", [this, path, record, saved](JobRunner& job) {
+  const auto now = std::make_shared<const WhatStands>(standing());
+  jobs_.start("report", [this, path, now, saved](JobRunner& job) {
     const std::string program = options_.program.string();
-    if (!saved) save(*record, path, false);
+    if (!saved) save(*now, path, false);
     play(job, path);
     job.run("drawing", {program, "render", path.string()});
     job.run("writing the report", {program, "report", path.string()});
@@ -217,20 +195,18 @@ Json StudioService::post_report(const StudioRequest& request) {
 /// The robot and its gait for stock MuJoCo, in a new folder: of what stands, judged for it, or of a
 /// run as it is.
 Json StudioService::post_export(const StudioRequest& request) {
-  const auto space = workspace();
   const auto run_asked = given_or<std::string>(request.body, "run", "");
   const fs::path as_it_is = run_asked.empty() ? fs::path() : paths_.to_read(run_asked);
   const fs::path path = paths_.to_write(needed<std::string>(request.body, "path"));
   if (fs::exists(path)) throw InputError(path.string() + ": exists already; name a new folder");
-  const fs::path folder = scratch("exported");
-  auto record = std::make_shared<SessionRecord>(space->session().record());
-  jobs_.start("export", [this, path, folder, record, as_it_is](JobRunner& job) {
-    const PassingRun run(folder);
+  const auto now = std::make_shared<const WhatStands>(standing());
+  jobs_.start("export", [this, path, now, as_it_is](JobRunner& job) {
+    const auto work = kept_.begin_work("exported");
+    const fs::path from = as_it_is.empty() ? work->path() / "run" : as_it_is;
     if (as_it_is.empty()) {
-      save(*record, run.folder(), true);
-      play_if_it_goes(job, run.folder());
+      save(*now, from, true);
+      play_if_it_goes(job, from);
     }
-    const fs::path& from = as_it_is.empty() ? run.folder() : as_it_is;
     job.run("exporting", {options_.program.string(), "export", from.string(), "-o", path.string()},
             1);
     job.tell({{"words", "written"}, {"path", path.string()}}, false);

@@ -49,7 +49,9 @@ bool StudioService::is_untouched(const SessionSnapshot& last) const {
 }
 
 void StudioService::leave() {
+  judge_.end();  // before the lock: it notes verdicts
   const std::lock_guard lock(mutex_);
+  if (workspace_) workspace_->close();  // requests that still have it may tell nothing any more
   if (workspace_ && folder_) {
     const SnapshotPointer last = workspace_->session().snapshot();
     if (is_untouched(*last) || saved_ == last->state) folder_->forget();
@@ -58,6 +60,13 @@ void StudioService::leave() {
   folder_.reset();
   saved_.reset();
   began_.reset();
+}
+
+void StudioService::close_bench() {
+  if (!bench_) return;
+  bench_->close();
+  bench_.reset();
+  hub_.forget("assembly");
 }
 
 bool StudioService::stands_in(const fs::path& run) const {
@@ -88,6 +97,10 @@ void StudioService::open(const std::string& path) {
     hub_.notice("info",
                 "This takes up what was left unsaved of " + asked.filename().string() + ".");
   Opening opening = open_path(left && run ? *left : asked, paths_);
+  if (!opening.taken_up.empty() && kept_.owns(opening.taken_up) &&
+      KeptSessions::is_held(opening.taken_up))
+    throw InputError(opening.taken_up.string() +
+                     ": a studio works on this session; go on there, or end that studio first");
   const std::string note = opening.note;
   const fs::path judged = opening.judged;
   take(std::move(opening));
@@ -145,7 +158,7 @@ void StudioService::take(Opening opening) {
     hub_.forget("");
     next = make_workspace(std::move(copy), *folder, opening);
     folder->keep();
-    if (!opening.taken_up.empty()) KeptSessions::remove(opening.taken_up);
+    if (!opening.taken_up.empty()) kept_.remove(opening.taken_up);
     if (!opening.of_modules) kept_.note_recent(origin, name);
     opening.robot.reset();
   }
@@ -155,7 +168,7 @@ void StudioService::take(Opening opening) {
     workspace_ = std::move(next);
     folder_ = std::move(folder);
     if (!opening.of_modules) {
-      bench_.reset();
+      close_bench();
       carried_.reset();
     }
     opened_ = std::move(opening);
@@ -172,13 +185,12 @@ void StudioService::tell_opened() {
     kept = bench_->folder().string();
     bench_->tell();
   }
-  hub_.publish("opened", Json{{"path", opened_.origin.string()},
-                              {"proposes", opened_.proposes},
-                              {"assembles", assembles},
-                              {"of_modules", opened_.of_modules},
-                              {"heard", hub_.now()},
-                              {"kept", kept}}
-                             .dump());
+  hub_.publish("opened", to_line({{"path", opened_.origin.string()},
+                                  {"proposes", opened_.proposes},
+                                  {"assembles", assembles},
+                                  {"of_modules", opened_.of_modules},
+                                  {"heard", hub_.now()},
+                                  {"kept", kept}}));
 }
 
 }  // namespace legwright

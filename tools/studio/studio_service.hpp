@@ -39,6 +39,13 @@ struct StudioOptions {
   std::vector<std::string> modules{};  // folders of the user's own, beside those installed
 };
 
+/// What stands, and what it is of, for work that goes on when something else is open.
+struct WhatStands {
+  SessionRecord record;
+  SavedFrom from;
+  std::string label;  // what its robot is called
+};
+
 /// A request to the studio, whoever sent it.
 struct StudioRequest {
   std::string method, path;                  // "POST", "/api/command"
@@ -109,8 +116,8 @@ class StudioService {
   /// Remembers what a verdict says of a state, and what was said of one: null where nobody judged.
   void note_verdict(const SessionState& state, const std::string& word);
   Json verdict_on(const SessionState& state) const;
-  /// What the robot that is open is called in lists and names of folders.
-  std::string label() const;
+  /// Pauses a search for it. Throws InputError where nothing is open.
+  WhatStands standing() const;
 
   void take(Opening opening);
   std::shared_ptr<Workspace> make_workspace(RobotModel robot, const SessionFolder& folder,
@@ -125,16 +132,16 @@ class StudioService {
   std::filesystem::path proposing() const;
   /// Whether the run in a folder is what stands: saved from here, and nothing changed since.
   bool stands_in(const std::filesystem::path& run) const;
-  /// A folder in that of the session.
-  std::filesystem::path scratch(const std::string& name) const;
-  void save(const SessionRecord& record, const std::filesystem::path& run, bool force) const;
+  void save(const WhatStands& what, const std::filesystem::path& run, bool force) const;
   void play(JobRunner& job, const std::filesystem::path& run) const;
   void play_if_it_goes(JobRunner& job, const std::filesystem::path& run);
   void tell_opened();
   bool is_untouched(const SessionSnapshot& last) const;
-  /// Closes what is open. A session whose state was saved, or in which nothing was done, need not
-  /// be kept.
+  /// Closes what is open, and ends the judge of it. A session whose state was saved, or in which
+  /// nothing was done, need not be kept.
   void leave();
+  /// By mutex_: nothing is on the bench any more.
+  void close_bench();
 
   StudioOptions options_;
   AllowedPaths paths_;

@@ -25,9 +25,13 @@ Workspace::Workspace(WorkspaceBegin begin, EventHub& hub, MeshStore& meshes)
   follower_ = std::thread([this] { follow(); });
 }
 
-Workspace::~Workspace() {
+Workspace::~Workspace() { close(); }
+
+void Workspace::close() {
+  session_->close();
   closing_ = true;
-  follower_.join();
+  if (follower_.joinable()) follower_.join();
+  physics_->close();
 }
 
 const std::vector<Handle>& Workspace::handles() {

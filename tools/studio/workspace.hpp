@@ -36,6 +36,9 @@ class Workspace {
   /// Throws as Session does. @param hub must live longer
   Workspace(WorkspaceBegin begin, EventHub& hub, MeshStore& meshes);
   ~Workspace();
+  /// Ends session, physics and follower; when it returns, nothing more is told to the hub. Who
+  /// still asks the session gets SessionClosed. By one thread at a time.
+  void close();
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 

@@ -277,10 +277,10 @@ TEST_F(SessionTest, CallsOfAClosedSessionAreRefused) {
   std::this_thread::sleep_for(10ms);
   session->close();
   session->close();
-  EXPECT_THROW(waiting.get(), std::invalid_argument);
-  EXPECT_THROW(session->apply(session::Reset{}), std::invalid_argument);
-  EXPECT_THROW(session->start(), std::invalid_argument);
-  EXPECT_THROW((void)session->record(), std::invalid_argument);
+  EXPECT_THROW(waiting.get(), SessionClosed);
+  EXPECT_THROW(session->apply(session::Reset{}), SessionClosed);
+  EXPECT_THROW(session->start(), SessionClosed);
+  EXPECT_THROW((void)session->record(), SessionClosed);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_FALSE(session->wait(60s));  // motions are left unsolved for good
   EXPECT_LT(std::chrono::steady_clock::now() - start, 30s);

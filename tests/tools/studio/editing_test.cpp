@@ -120,6 +120,13 @@ TEST_F(EditingTest, TasksChangeByTheirKeys) {
   EXPECT_EQ(motion["extra"][0]["name"], "payload");
   EXPECT_EQ(change({{"payload", nullptr}})["status"], 200);
   EXPECT_EQ(browser_.get("/api/document")["tasks"][0]["payload"], nullptr);
+  for (const Json& no_task : {Json(4294967296), Json(0.7), Json(1e300), Json("0")}) {
+    const Json body{{"task", no_task}, {"changes", Json::object()}};
+    const Json answer = browser_.post("/api/task", body);
+    EXPECT_EQ(answer["status"], 400) << no_task;
+    const std::string told = answer["error"]["message"];
+    EXPECT_NE(told.find("expected a whole number"), std::string::npos) << told;
+  }
   const Json refused = change({{"gait", {{"perriod", 0.8}}}});
   EXPECT_EQ(refused["status"], 400);
   EXPECT_NE(refused["error"]["message"].get<std::string>().find("period"), std::string::npos);
@@ -183,6 +190,7 @@ TEST_F(EditingTest, ASavedSessionIsTakenUpFromItsRun) {
   (void)browser_.settled();
   EXPECT_EQ(browser_.post("/api/save", {{"path", "runs/mine"}})["status"], 200);
   EXPECT_EQ(browser_.post("/api/save", {{"path", "runs/mine"}})["status"], 409) << "is there";
+  EXPECT_EQ(browser_.post("/api/save", {{"path", "runs/it"}, {"force", "yes"}})["status"], 400);
   command({{"do", "edit"}, {"values", {{kThigh, 0.05}}}});
   EXPECT_EQ(browser_.post("/api/open", {{"path", "runs/mine"}})["status"], 200);
   const Json state = browser_.settled();

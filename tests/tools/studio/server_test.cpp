@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <arpa/inet.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <thread>
 #include <vector>
 
@@ -100,6 +102,39 @@ TEST_F(ServerTest, BodiesAreJsonAndBounded) {
             400)
       << "robots may be bigger";
   EXPECT_EQ(post("/api/open", std::string(std::size_t{65} << 20, ' '), "application/json"), 413);
+  const auto large = client.Post("/api/open", headers, std::string(std::size_t{65} << 20, ' '),
+                                 "application/json");
+  EXPECT_NE(large->body.find("more than 48 MB"), std::string::npos) << large->body;
+  EXPECT_NE(large->body.find("by its path"), std::string::npos) << large->body;
+}
+
+/// The most memory that this process has had [bytes].
+std::size_t most_memory() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  return static_cast<std::size_t>(used.ru_maxrss) << 10;
+}
+
+TEST_F(ServerTest, NoBodyOfAStrangerIsKeptOrUnfolded) {
+  constexpr std::size_t kLarge = std::size_t{250} << 20;
+  const std::size_t before = most_memory();
+  const std::string blanks(std::size_t{1} << 20, ' ');
+  const auto some = [&](std::size_t, std::size_t left, httplib::DataSink& sink) {
+    return sink.write(blanks.data(), std::min(left, blanks.size()));
+  };
+  httplib::Client folding("127.0.0.1", studio_.server->port());
+  folding.set_compress(true);
+  EXPECT_TRUE(folding.Put("/api/job", kLarge, some, "application/json"));
+  std::size_t sent = 0;
+  const auto chunks = [&](std::size_t, httplib::DataSink& sink) {
+    if (sent >= kLarge) sink.done();
+    sent += blanks.size();
+    return sent > kLarge || sink.write(blanks.data(), blanks.size());
+  };
+  httplib::Client stranger("127.0.0.1", studio_.server->port());
+  (void)stranger.Put("/api/job", chunks, "application/json");  // it may be cut off
+  EXPECT_EQ(status("/api/start", {}), 200);
+  EXPECT_LT(most_memory(), before + (std::size_t{100} << 20));
 }
 
 TEST_F(ServerTest, WhatIsLeftOfARefusedBodyIsNoRequest) {
