@@ -135,6 +135,7 @@ std::vector<std::string> overlapping_modules(const RobotModel& robot) {
       overlaps.begin(), overlaps.end(),
       [](const ModuleOverlap& a, const ModuleOverlap& b) { return a.depth > b.depth; });
   std::vector<std::string> told;
+  told.reserve(overlaps.size());
   for (const ModuleOverlap& each : overlaps)
     told.push_back(
         fmt::format("'{}' is {}", each.first, depth_words(each, "'" + each.second + "'")));
