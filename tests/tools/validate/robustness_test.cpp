@@ -131,7 +131,8 @@ TEST_F(Disturbed, AheadAndLeftAreThoseOfWhereItFaces) {
 
   Disturbance slope = from.nothing();
   slope.slope_along = 0.1;
-  const mjtNum* gravity = from.with(slope).model->opt.gravity;
+  const Scene tilted = from.with(slope);
+  const mjtNum* gravity = tilted.model->opt.gravity;
   EXPECT_NEAR(gravity[1], -kG * std::sin(0.1), 1e-9);
 }
 
