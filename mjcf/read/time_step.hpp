@@ -18,8 +18,8 @@ void read_mobility(const mjModel& model, const std::filesystem::path& file,
                    std::vector<Servo>& servos);
 
 /// Step of scenes of a robot [s]: 1 ms, or a half or a quarter of it where servos damp links that
-/// are light for them. Where the damping's rate times the step is beyond three or so, robots lose
-/// speed that they have at any shorter step (measured: docs/findings/time_step.md).
+/// are light for them. Where the damping's rate times the step is beyond three or so, trots lose
+/// speed that they keep at shorter steps (measured: docs/findings/time_step.md).
 double step_of_scenes(const std::vector<Servo>& servos);
 
 /// "scenes take steps of 0.25 ms, not 1 ms, as …" with the joint for which they do and what would
