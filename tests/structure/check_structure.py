@@ -285,7 +285,7 @@ class Check:
             seen.setdefault(path.name, name)
 
     def constants(self, sources):
-        """Files of a library, kernels aside, are compiled sixteen at a time: nobody chooses which."""
+        """Files of a library, kernels aside, are compiled sixteen at a time, by chance."""
         seen = {}
         for path in sources:
             name = path.relative_to(self.root).as_posix()
