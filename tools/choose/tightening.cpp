@@ -34,6 +34,15 @@ void multiply_weight(TaskFile& file, const std::string& term, double factor) {
   file.weights[term] = weight * factor;
 }
 
+/// Plans another speed and turn. What was turned by too little is known by itself: a plan that goes
+/// faster does not turn faster for it. On a slope, where plans do not turn, the speed alone.
+void aim(const Tightening& tightening, TaskFile& file) {
+  const double before = file.aim_speed;
+  file.aim_speed *= tightening.speed;
+  if (file.slope_along != 0.0 || file.slope_across != 0.0) return;
+  file.aim_turn_rate += tightening.turn / file.period - (file.aim_speed - before) * file.turn_rate;
+}
+
 void widen_margins(Task& task, double factor) {
   task.torque_margin = 1.0 - (1.0 - task.torque_margin) / std::sqrt(factor);
   task.min_normal *= factor;
@@ -83,8 +92,7 @@ TaskFile tightened_file(const CodesignProblem& problem, int k, const Tightening&
       file, "smoothness",
       power(kQuickFactor, Lever::quick_legs) * power(kSmoothFactor, Lever::smooth_legs));
   multiply_weight(file, "design_tether", power(kTetherFactor, Lever::near_given_body));
-  file.aim_speed *= tightening.speed;
-  file.aim_turn_rate = tightening.speed * file.aim_turn_rate + tightening.turn / file.period;
+  aim(tightening, file);
   file.stance_width *= power(kWidthFactor, Lever::narrow) / power(kWidthFactor, Lever::wide);
   return file;
 }

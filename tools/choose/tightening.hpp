@@ -29,8 +29,8 @@ inline constexpr int kLeverCount = 11;
 /// How often each lever is pulled.
 struct Tightening {
   std::array<int, kLeverCount> pulls{};
-  double speed = 1.0;  // factor on the wanted speed and turn rate, by Lever::aim
-  double turn = 0.0;   // added to the wanted turn, by the same [rad a cycle]
+  double speed = 1.0;  // factor on the planned speed, by Lever::aim
+  double turn = 0.0;   // added to the planned turn, by the same [rad a cycle]
 
   bool any() const;
   /// @param seen what MuJoCo made of the plan so far

@@ -83,5 +83,31 @@ TEST_F(TightenedTask, AimsForWhatMujocoLoses) {
   EXPECT_EQ(twice.words(), "corrected aim x2");
 }
 
+TEST_F(TightenedTask, AimsAtATurnThatIsLostOnce) {
+  const CodesignProblem turning =
+      test::problem_of("quadruped",
+                       "[gait]\nname = \"trot\"\nperiod = 0.4\n[travel]\nvelocity = [0.2, 0.0]\n"
+                       "turn_rate = 0.5\naim_speed = 1.1\naim_turn_rate = 0.1\n");
+  GaitTrial seen;
+  seen.speed_ratio = 0.9;
+  seen.heading_drift = -0.02;  // rad a cycle
+  const Task task = tightened_task(turning, 0, Tightening{}.with(Lever::aim, seen));
+  EXPECT_NEAR(task.velocity.x(), 1.1 * 0.2 / 0.9, 1e-12);
+  EXPECT_NEAR(task.turn_rate, 1.1 * 0.5 + 0.1 + 0.02 / 0.4, 1e-12);
+}
+
+TEST_F(TightenedTask, AimsAtTheSpeedAloneOnASlope) {
+  const CodesignProblem slope =
+      test::problem_of("quadruped",
+                       "[gait]\nname = \"trot\"\nperiod = 0.4\n[travel]\nvelocity = [0.2, 0.0]\n"
+                       "[ground]\nslope_along = 0.1\n");
+  GaitTrial seen;
+  seen.speed_ratio = 0.9;
+  seen.heading_drift = 0.02;
+  const Task task = tightened_task(slope, 0, Tightening{}.with(Lever::aim, seen));
+  EXPECT_NEAR(task.velocity.head<2>().norm(), 0.2 / 0.9, 1e-12);
+  EXPECT_EQ(task.turn_rate, 0.0);
+}
+
 }  // namespace
 }  // namespace legwright
