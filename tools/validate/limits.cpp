@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mjcf/text/numbers.hpp"
 #include "tools/run/joined_by_and.hpp"
 #include "tools/run/worst_words.hpp"
 
@@ -23,15 +24,41 @@ std::string three_digits(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string told(const LimitedQuantity& quantity, const std::optional<double>& value) {
-  if (!value || !std::isfinite(*value))
-    return quantity.told == Told::percent ? "an unknown share" : "an unknown amount";
-  if (quantity.told == Told::percent) {
-    const std::string text = fmt::format("{:.1f} %", 100 * *value);
-    return text == "-0.0 %" ? "0.0 %" : text;
-  }
-  const std::string text =
-      quantity.told == Told::thousandths ? fmt::format("{:.3f}", *value) : three_digits(*value);
+/// A number with so many digits more than usual, without its unit; percents as such.
+std::string digits(const LimitedQuantity& quantity, double value, int more) {
+  std::string text;
+  if (quantity.told == Told::percent)
+    text = fmt::format("{:.{}f}", 100 * value, 1 + more);
+  else if (quantity.told == Told::thousandths)
+    text = fmt::format("{:.{}f}", value, 3 + more);
+  else
+    text = fmt::format("{:.{}g}", value, 3 + more);
+  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1)
+                                                                              : text;
+}
+
+/// Whether a number reads as one that passes.
+bool reads_as_good(const std::string& text, const LimitedQuantity& quantity, const Bounds& bounds) {
+  const double scale = quantity.told == Told::percent ? 100.0 : 1.0;
+  const double number = parse_number(text).value();
+  const auto over = [&](double bound) {  // by more than 100 · 0.001 differs from 0.1
+    return (number - scale * bound) / std::max(std::abs(scale * bound), 1e-12);
+  };
+  constexpr double kRounding = 1e-9;
+  if (bounds.low && over(*bounds.low) < -kRounding) return false;
+  return !bounds.high || over(*bounds.high) < (quantity.below ? -kRounding : kRounding);
+}
+
+/// What misses its bounds, with as many digits as show it.
+std::string told(const LimitedQuantity& quantity, const std::optional<double>& value,
+                 const Bounds& bounds) {
+  const bool percent = quantity.told == Told::percent;
+  if (!value || !std::isfinite(*value)) return percent ? "an unknown share" : "an unknown amount";
+  constexpr int kMostMore = 12;
+  std::string text = digits(quantity, *value, 0);
+  for (int more = 1; more <= kMostMore && reads_as_good(text, quantity, bounds); ++more)
+    text = digits(quantity, *value, more);
+  if (percent) return text + " %";
   return quantity.unit == "1" ? text : text + " " + quantity.unit;
 }
 
@@ -66,7 +93,7 @@ JudgedLimit judge_one(const LimitedQuantity& quantity, const Bounds& bounds,
       least = left;
     }
     if (!within(value, bounds, quantity.below))
-      faults.push_back(told(quantity, value) + " at " + gain_name(run.gain_scale));
+      faults.push_back(told(quantity, value, bounds) + " at " + gain_name(run.gain_scale));
   }
   if (out.where.empty()) {  // every roll-out ended early, which is a reason of its own
     out.pass = false;

@@ -69,6 +69,21 @@ TEST(Verdict, ARobotThatDragsOneLegOverTheOtherFails) {
   EXPECT_NE(struck.reasons[1].find("shank on thigh"), std::string::npos) << struck.line;
 }
 
+TEST(Verdict, WhatMissesALimitByLittleReadsAsAMiss) {
+  auto runs = good_at_all();
+  runs[1].heading_drift = 20 * 0.010042;
+  runs[2].saturated_share = 0.00098;  // "0.1 %", and passes
+  runs[0].speed_ratio = 0.94997;
+  const std::string line = judge(runs, kSideways, "walk").line;
+  EXPECT_NE(line.find("by 0.01004 rad at default gains (a cycle; up to 0.01 rad passes)"),
+            std::string::npos)
+      << line;
+  EXPECT_NE(line.find("94.997 % at half gains"), std::string::npos) << line;
+  EXPECT_EQ(line.find("saturates"), std::string::npos) << line;
+  runs[2].saturated_share = 0.001;  // has to be less
+  EXPECT_NE(judge(runs, kSideways, "walk").line.find("0.1 % at double gains"), std::string::npos);
+}
+
 TEST(Verdict, AFailingServoIsNamed) {
   auto runs = good_at_all();
   runs[2].saturated_share = 0.13;
@@ -135,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"slowest", [](Measurements& run) { run.speed_ratio = 0.95; }, true},
         Case{"too_slow", [](Measurements& run) { run.speed_ratio = 0.9499; }, false,
-             "reaches 95.0 %"},
+             "reaches 94.99 %"},
         Case{"fastest", [](Measurements& run) { run.speed_ratio = 1.05; }, true},
         Case{"too_fast", [](Measurements& run) { run.speed_ratio = 1.07; }, false,
              "reaches 107.0 %"},
