@@ -127,6 +127,7 @@ struct StudioServer::Parts {
     http.Get("/", [this](const auto& request, auto& response) { front(request, response); });
     http.Get("/api/events",
              [this](const auto& request, auto& response) { events(request, response); });
+    http.Get("/api/room", [this](const auto& request, auto& response) { room(request, response); });
     http.Get(R"(/api/mesh/([0-9a-f]+))",
              [this](const auto& request, auto& response) { mesh(request, response); });
     http.Get(R"(/api/.*)",
@@ -225,12 +226,25 @@ struct StudioServer::Parts {
     answer(request, response, std::move(json));
   }
 
+  static void refuse_one_more(httplib::Response& response) {
+    refuse(response, 429,
+           fmt::format("{} pages follow this studio already: this one goes on once one of them is "
+                       "closed",
+                       kStreams));
+  }
+
+  /// Whether one more page could follow events. Browsers do not tell pages why a stream is refused.
+  void room(const httplib::Request& request, httplib::Response& response) {
+    if (!let_in(request, response)) return;
+    if (streams.load() >= kStreams) return refuse_one_more(response);
+    send_json(response, std::make_shared<const std::string>("{}"));
+  }
+
   void events(const httplib::Request& request, httplib::Response& response) {
     if (!let_in(request, response)) return;
     if (streams.fetch_add(1) >= kStreams) {
       streams.fetch_sub(1);
-      return refuse(response, 429,
-                    fmt::format("{} pages follow this studio already; close one", kStreams));
+      return refuse_one_more(response);
     }
     const std::uint64_t joined =
         std::min(heard_so_far(request).value_or(UINT64_MAX), studio.hub().now());

@@ -177,6 +177,7 @@ TEST_F(ServerTest, NoMorePagesThanThreadsAreFollowed) {
   EXPECT_EQ(followed, 4);
   EXPECT_EQ(refused, 4);
   EXPECT_EQ(status("/api/start", {}), 200) << "streams leave threads for requests";
+  EXPECT_EQ(status("/api/room", {}), 429) << "which tells a page why";
   end = true;
   studio_.service.hub().notice("info", "wakes those who wait");
   for (std::thread& follower : followers) follower.join();
@@ -187,6 +188,9 @@ TEST_F(ServerTest, NoMorePagesThanThreadsAreFollowed) {
   while (state.is_null() && std::chrono::steady_clock::now() < latest)
     state = studio_.browser->next("state");
   EXPECT_FALSE(state.is_null()) << "a place is free again";
+  int room = status("/api/room", {});
+  while (room != 200 && std::chrono::steady_clock::now() < latest) room = status("/api/room", {});
+  EXPECT_EQ(room, 200);
 }
 
 TEST_F(ServerTest, PathsOutsideOfTheRootsAreRefused) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tests of pages that are touched, and of one that is killed; browser_test.py runs them."""
+"""Tests of pages that are touched, that are killed or kept out; browser_test.py runs them."""
 
 import unittest
 
@@ -117,3 +117,44 @@ class Apart(unittest.TestCase):
         again.js('legwrightStudio.command("undo")')
         studio.until('v => legwrightStudio.readParameter("body_length").value === v', before)
         again.close()
+
+    def test_a_fifth_page_says_why_it_is_empty_and_goes_on_once_there_is_room(self):
+        pages = [Page(self.browser, self.server.url) for _ in range(4)]
+        for page in pages:
+            page.ready()
+        fifth = Page(self.browser, self.server.url)
+        line = fifth.page.locator('.connection')
+        line.get_by_text('4 pages follow this studio already').wait_for()
+        pages[0].close()
+        fifth.ready()
+        self.assertEqual(line.inner_text(), '')
+        for page in [*pages[1:], fifth]:
+            page.close()
+
+    def test_a_page_of_a_studio_that_was_started_anew_says_which_address_it_needs(self):
+        task = str(ROOT / 'examples/puppy/sideways.toml')
+        old = Server(task)
+        page = Page(self.browser, old.url)
+        page.ready()
+        old.close()
+        line = page.page.locator('.connection')
+        line.get_by_text('Connection lost').wait_for()
+        port = old.url.split(':')[2].split('/')[0]
+        new = Server(task, '--port', port)
+        line.get_by_text('open the URL that the program printed').wait_for()
+        page.page.goto(new.url)
+        page.ready()
+        self.assertEqual(line.inner_text(), '')
+        page.close()
+        new.close()
+
+    def test_a_notice_that_comes_again_and_again_is_one_that_counts(self):
+        page = Page(self.browser, self.server.url)
+        page.ready()
+        page.js("""() => {
+          for (let k = 0; k < 3; ++k) legwrightStudio.notices.show('error', 'It flew apart.');
+          legwrightStudio.notices.show('error', 'Another.');
+        }""")
+        notices = page.page.locator('.notice > span').all_inner_texts()
+        self.assertEqual(notices, ['It flew apart. (3 times)', 'Another.'])
+        page.close()

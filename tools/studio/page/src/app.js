@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: starts where the server stands, at the first page, at what is proposed for a robot, at
 // the modules of one that is assembled, or at the workspace.
-import { h } from "./dom.js";
+import { h, setText } from "./dom.js";
 import { Studio } from "./studio.js";
 import { AssemblyPage } from "./ui/assembly/assembly_page.js";
 import { takeHeldTitles } from "./ui/held_titles.js";
@@ -30,6 +30,7 @@ function begin() {
     assembly.element,
     workspace.element,
     studio.notices.element,
+    connectionLine(),
     h("div.opening", { role: "status", aria: { live: "polite" } }, "Opening …"),
   );
   workspace.element.hidden = start.element.hidden = true;
@@ -50,6 +51,16 @@ function begin() {
   takeHeldTitles(document);
   studio.start();
   studio.store.on("connected", (on) => on && setTimeout(() => beginAtStart(show), NOTHING_OPEN));
+}
+
+/** Why nothing comes from the server any more, over whatever is shown, or over an empty page. */
+function connectionLine() {
+  const line = h("p.connection", { role: "status" });
+  studio.store.on("trouble", (trouble) => {
+    setText(line, trouble);
+    document.body.classList.toggle("disconnected", Boolean(trouble));
+  });
+  return line;
 }
 
 /** Shows the first page where nothing is open: the server tells at once of what is. */

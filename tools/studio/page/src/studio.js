@@ -29,7 +29,10 @@ export class Studio {
   start(heard) {
     this.stopFollowing = follow(
       (kind, data) => this.take(kind, data),
-      (connected) => this.store.set("connected", connected),
+      (connected, why) => {
+        this.store.set("connected", connected);
+        this.store.set("trouble", connected ? "" : why || "Connection lost, trying again …");
+      },
       heard,
     );
   }

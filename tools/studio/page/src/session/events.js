@@ -2,11 +2,13 @@
 // The server's stream of events. A lost connection is taken up again by itself; the server then
 // sends everything that is present.
 
+import { get } from "./api.js";
+
 const LONGEST_WAIT = 5000; // ms between attempts
 
 /**
  * @param {(kind: string, data: any) => void} tell
- * @param {(connected: boolean) => void} connection
+ * @param {(connected: boolean, why: string) => void} connection
  * @param {number=} heard where another stream was left; without, notices of before are not told
  * @returns {() => void} ends it
  */
@@ -21,7 +23,7 @@ export function follow(tell, connection, heard) {
     source.onopen = () => {
       wait = 250;
       heard = undefined;
-      connection(true);
+      connection(true, "");
     };
     for (const kind of KINDS)
       source.addEventListener(kind, (event) => tell(kind, JSON.parse(event.data)));
@@ -29,10 +31,11 @@ export function follow(tell, connection, heard) {
       const data = JSON.parse(event.data);
       tell(data.kind, data);
     };
-    source.onerror = () => {
+    source.onerror = async () => {
       source.close();
-      connection(false);
+      const why = await refusal();
       if (closed) return;
+      connection(false, why);
       timer = setTimeout(connect, wait);
       wait = Math.min(LONGEST_WAIT, 2 * wait);
     };
@@ -43,6 +46,16 @@ export function follow(tell, connection, heard) {
     clearTimeout(timer);
     source.close();
   };
+}
+
+/** Why the server refuses a stream, which no browser tells; empty where it does not, or is away. */
+async function refusal() {
+  try {
+    await get("/api/room");
+  } catch (error) {
+    if (error.status) return error.words;
+  }
+  return "";
 }
 
 const KINDS = [

@@ -112,10 +112,13 @@ export class Notices {
   /** @param {"info"|"done"|"warning"|"error"} level what is done stays until it is dismissed */
   show(level, words) {
     const close = () => note.remove();
+    const same = [...this.element.children].find((each) => each.dataset.words === words);
+    const times = 1 + Number(same?.dataset.times ?? 0);
+    same?.remove();
     const note = h(
       `div.notice.${level}`,
-      { role: level === "error" ? "alert" : "status" },
-      h("span", {}, words),
+      { role: level === "error" ? "alert" : "status", data: { words, times } },
+      h("span", {}, times > 1 ? `${words} (${times} times)` : words),
       h("button.link", { type: "button", aria: { label: "Dismiss" }, onClick: close }, "Dismiss"),
     );
     while (this.element.children.length > 3)

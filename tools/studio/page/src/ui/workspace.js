@@ -58,7 +58,6 @@ export class Workspace {
     this.title = h("span.document-name");
     this.job = new JobProgress();
     studio.store.on("job", (job) => this.job.show(job));
-    this.connection = h("span.connection", { role: "status" });
     this.tabs = ["design", "simulate"].map((name) =>
       h(
         "button",
@@ -96,7 +95,6 @@ export class Workspace {
       this.job.element, // grows into the gap: what stands behind it stays where it is
       studio.searchButtons.element,
       h("div.segmented", { role: "group", aria: { label: "History" } }, this.undo, this.redo),
-      this.connection,
       iconButton("sun", "Light or dark", switchTheme),
       iconButton("help", "How to, and keys (?)", showShortcuts),
     );
@@ -236,11 +234,6 @@ export class Workspace {
       view.stage.touch();
     });
     store.on("opened", (opened) => (this.modules.hidden = !opened?.of_modules));
-    store.on("connected", () => {
-      const on = store.get("connected");
-      setText(this.connection, on ? "" : "Connection lost, trying again …");
-      document.body.classList.toggle("disconnected", !on);
-    });
     studio.selection.on(({ names, hovered }) => {
       view.handles.selected = names;
       view.handles.hovered = hovered;
