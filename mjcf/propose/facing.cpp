@@ -34,14 +34,16 @@ Vector2d hip_of(const Morphology& morphology, const Limb& limb, const Eigen::Vec
   return first.parent == 0 ? Vector2d(first.origin.at(s).head<2>()) : Vector2d(limb.home.head<2>());
 }
 
-/// 1, −1 or 0: whether the names of a limb call it front, hind or neither.
-int row_of(const Morphology& morphology, const Limb& limb) {
-  if (const int row = row_word(morphology.feet[static_cast<std::size_t>(limb.foot)].name))
-    return row;
+/// What names tell of where a limb is: row_word() or lateral_word().
+using Word = int (*)(const std::string& name);
+
+/// 1, −1 or 0: which of two sides the names of a limb call it, or neither.
+int side_of(const Morphology& morphology, const Limb& limb, Word word) {
+  if (const int side = word(morphology.feet[static_cast<std::size_t>(limb.foot)].name)) return side;
   for (const int l : limb.links) {
     const Link& link = morphology.links[static_cast<std::size_t>(l)];
     for (const std::string& name : {link.name, link.joint.name})
-      if (const int row = row_word(name)) return row;
+      if (const int side = word(name)) return side;
   }
   return 0;
 }
@@ -75,8 +77,39 @@ Facing turned_to(const Vector2d& ahead, const std::string& known) {
                       known, facing_text(ahead))};
 }
 
-/// Of legs that no name calls front or hind.
-Facing facing_without_names(const RobotModel& robot, const Eigen::Matrix2Xd& hips) {
+/// How far the limbs that names call one side stand from those that they call the other [m].
+/// @param called whether there are such; the way is zero where they stand askew, or too near
+Vector2d way_between(const RobotModel& robot, const std::vector<Limb>& limbs,
+                     const Eigen::Matrix2Xd& hips, Word word, bool& called) {
+  Vector2d one = Vector2d::Zero(), other = one;
+  int ones = 0, others = 0;
+  for (std::size_t k = 0; k < limbs.size(); ++k) {
+    const int side = side_of(robot.morphology, limbs[k], word);
+    if (side != 0) (side > 0 ? one : other) += hips.col(static_cast<Eigen::Index>(k));
+    ones += side > 0;
+    others += side < 0;
+  }
+  called = ones > 0 && others > 0;
+  if (!called) return Vector2d::Zero();
+  const Vector2d apart = one / ones - other / others;
+  const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
+  const double spread = (hips.rowwise().maxCoeff() - hips.rowwise().minCoeff()).maxCoeff();
+  if (!(more > kTimesAlong * less && more > kAhead * spread)) return Vector2d::Zero();
+  return more * nearest_axis(apart);
+}
+
+/// Of two legs that no name calls left or right: they stand side by side, and feet reach ahead.
+Facing facing_of_two(const std::vector<Limb>& limbs, const Eigen::Matrix2Xd& hips) {
+  const Vector2d apart = (hips.col(0) - hips.col(1)).cwiseAbs();
+  if (!(apart.x() > kTimesAlong * apart.y())) return {};
+  const double reach = limbs[0].home.y() + limbs[1].home.y() - hips.row(1).sum();
+  return turned_to(Vector2d(0.0, reach < 0.0 ? -1.0 : 1.0),
+                   fmt::format("its two hips stand {:.3g} m apart along x", apart.x()));
+}
+
+/// Of legs that no name calls front or hind, left or right.
+Facing facing_without_names(const RobotModel& robot, const std::vector<Limb>& limbs,
+                            const Eigen::Matrix2Xd& hips) {
   Facing out;
   const Rows along_x = rows_beside(hips, 1), along_y = rows_beside(hips, 0);
   if (hips.cols() >= static_cast<Eigen::Index>(kRows) && along_y.clear > kRowsApart &&
@@ -88,6 +121,7 @@ Facing facing_without_names(const RobotModel& robot, const Eigen::Matrix2Xd& hip
     return turned_to(eye->along, fmt::format("the camera{} of its trunk looks along {}",
                                              eye->camera.empty() ? "" : " '" + eye->camera + "'",
                                              facing_text(eye->along)));
+  if (hips.cols() == 2) return facing_of_two(limbs, hips);
   const Vector2d spread = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
   if (hips.cols() == 4 && spread.y() > kLonger * spread.x())
     out.remark = fmt::format(
@@ -103,30 +137,26 @@ Facing facing_without_names(const RobotModel& robot, const Eigen::Matrix2Xd& hip
 Facing facing_of(const RobotModel& robot) {
   const Eigen::VectorXd s = robot.space.initial();
   const std::vector<Limb> limbs = find_limbs(robot.morphology, s);
-  Vector2d front = Vector2d::Zero(), hind = front;
-  int fronts = 0, hinds = 0;
+  if (limbs.empty()) return {};
   Eigen::Matrix2Xd hips(2, static_cast<Eigen::Index>(limbs.size()));
-  for (std::size_t k = 0; k < limbs.size(); ++k) {
-    const Vector2d hip = hip_of(robot.morphology, limbs[k], s);
-    hips.col(static_cast<Eigen::Index>(k)) = hip;
-    const int row = row_of(robot.morphology, limbs[k]);
-    if (row != 0) (row > 0 ? front : hind) += hip;
-    fronts += row > 0;
-    hinds += row < 0;
-  }
-  Facing out;
-  if (fronts > 0 && hinds > 0) {
-    const Vector2d apart = front / fronts - hind / hinds;
-    const double more = apart.cwiseAbs().maxCoeff(), less = apart.cwiseAbs().minCoeff();
-    const double spread = (hips.rowwise().maxCoeff() - hips.rowwise().minCoeff()).maxCoeff();
-    if (!(more > kTimesAlong * less && more > kAhead * spread)) return out;
-    const Vector2d ahead = nearest_axis(apart);
-    if (ahead == Vector2d::UnitX()) return out;
+  for (std::size_t k = 0; k < limbs.size(); ++k)
+    hips.col(static_cast<Eigen::Index>(k)) = hip_of(robot.morphology, limbs[k], s);
+  bool called = false;
+  const Vector2d front = way_between(robot, limbs, hips, row_word, called);
+  if (called) {
+    const Vector2d ahead = nearest_axis(front);
+    if (front.isZero() || ahead == Vector2d::UnitX()) return {};
     return turned_to(ahead, fmt::format("the legs that are called front hang {:.3g} m along {} "
                                         "from those that are called hind",
-                                        more, facing_text(ahead)));
+                                        front.norm(), facing_text(ahead)));
   }
-  return limbs.empty() ? out : facing_without_names(robot, hips);
+  const Vector2d left = way_between(robot, limbs, hips, lateral_word, called);
+  if (left.isZero()) return facing_without_names(robot, limbs, hips);
+  const Vector2d beside = nearest_axis(left), ahead(beside.y(), -beside.x());
+  if (ahead == Vector2d::UnitX()) return {};
+  return turned_to(ahead, fmt::format("the legs that are called left hang {:.3g} m along {} from "
+                                      "those that are called right",
+                                      left.norm(), facing_text(beside)));
 }
 
 }  // namespace legwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/side_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -14,6 +15,8 @@ using Words = std::set<std::string>;
 const Words kFront{"fl", "fr", "lf", "rf", "front", "fore", "f"};
 const Words kHind{"hl", "hr", "rl", "rr",   "bl",   "br",   "lh", "rh",
                   "lr", "lb", "rb", "hind", "rear", "back", "h"};
+const Words kLeft{"l", "left", "fl", "lf", "hl", "rl", "bl", "lh", "lr", "lb", "lm", "ml"};
+const Words kRight{"r", "right", "fr", "rf", "hr", "rr", "br", "rh", "rb", "rm", "mr"};
 const Words kOther{"l", "r", "left", "right", "middle", "mid", "lm", "rm", "ml", "mr"};
 
 constexpr std::array<std::string_view, 8> kWritten{"front", "fore", "hind",  "rear",
@@ -106,13 +109,31 @@ std::string without_side(const std::string& name) {
   return out;
 }
 
+namespace {
+
+/// 1 where `is_one` of a word of a name, −1 where `is_other`, 0 where neither or both.
+template <class Test>
+int word_of(const std::string& name, const Test& is_one, const Test& is_other) {
+  const std::vector<Word> words = words_in(name);
+  return std::any_of(words.begin(), words.end(), is_one) -
+         std::any_of(words.begin(), words.end(), is_other);
+}
+
+}  // namespace
+
 int row_word(const std::string& name) {
-  bool front = false, hind = false;
-  for (const Word& word : words_in(name)) {
-    front = front || word.is_in(kFront);
-    hind = hind || word.is_in(kHind);
-  }
-  return front - hind;
+  const auto in = [](const Words& words) {
+    return [&](const Word& word) { return word.is_in(words); };
+  };
+  return word_of(name, in(kFront), in(kHind));
+}
+
+/// "LHip" is left; an F in such a place may be anything.
+int lateral_word(const std::string& name) {
+  const auto in = [](const Words& words) {
+    return [&](const Word& word) { return words.contains(word.low); };
+  };
+  return word_of(name, in(kLeft), in(kRight));
 }
 
 }  // namespace legwright

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
+#include "mjcf/propose/askew_hips.hpp"
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/leg_chains.hpp"
+#include "mjcf/propose/trunk_element.hpp"
 #include "mjcf/propose/two_legs_up.hpp"
 #include "mjcf/read/checks.hpp"
 #include "mjcf/read/moving_parts.hpp"
@@ -30,6 +33,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kTrunkOnItsSide = 0.5;  // cosine of the tilt beyond which z is not up
+constexpr double kZIsUp = 0.99;          // cosine of the tilt up to which z is up
 constexpr double kOnePlane = 0.1;        // of the leg's length: feet that end at one height
 constexpr double kFarBelow = 0.15;       // of the leg's length: a foot below its hip
 constexpr std::size_t kThreeFeet = 3;    // have a plane
@@ -50,20 +54,21 @@ std::vector<std::array<int, 4>> axis_turns() {
   return out;
 }
 
-Quaterniond turn_of(const std::array<int, 4>& q) {
+template <class Number>
+Quaterniond turn_of(const std::array<Number, 4>& q) {
   return Quaterniond(q[0], q[1], q[2], q[3]).normalized();
 }
 
 /// Of the turns that lead `up` of the trunk's frame to z the one nearest to how the trunk is drawn.
-std::array<int, 4> turn_upright(const Vector3d& up, const Quaterniond& drawn) {
-  std::array<int, 4> best{1, 0, 0, 0};
+std::array<double, 4> turn_upright(const Vector3d& up, const Quaterniond& drawn) {
+  std::array<double, 4> best{1, 0, 0, 0};
   double least = std::numeric_limits<double>::infinity();
   for (const std::array<int, 4>& q : axis_turns()) {
     if ((turn_of(q) * up - Vector3d::UnitZ()).norm() > 1e-6) continue;
     const double off = drawn.angularDistance(turn_of(q));
     if (off > least - 1e-6) continue;
     least = off;
-    best = q;
+    std::copy(q.begin(), q.end(), best.begin());
   }
   return best;
 }
@@ -99,7 +104,8 @@ class AxesFinder {
       if (const Held held = held_as(Quaterniond::FromTwoVectors(up, Vector3d::UnitZ()));
           held.legs >= kThreeFeet && held.legs > as_drawn.legs && pointing_up(all) <= kArm)
         return told(up, held, false);
-    return as_drawn.legs <= 2 ? lying_on_two(as_drawn.below) : std::nullopt;
+    if (auto lying = as_drawn.legs <= 2 ? lying_on_two(as_drawn.below) : std::nullopt) return lying;
+    return up_at_home.z() > kZIsUp ? askew(all) : std::nullopt;
   }
 
  private:
@@ -119,6 +125,24 @@ class AxesFinder {
     return found;
   }
 
+  /// @param legs as they are posed at present
+  std::optional<TrunkAxes> askew(const std::vector<SearchedLeg>& legs) const {
+    const Eigen::Matrix3d trunk = matrix_at(data_->xmat, trunk_);
+    Eigen::Matrix2Xd hips(2, static_cast<Eigen::Index>(legs.size()));
+    for (std::size_t k = 0; k < legs.size(); ++k)
+      hips.col(static_cast<Eigen::Index>(k)) =
+          (trunk.transpose() * vector_at(data_->xanchor, legs[k].joints.front())).head<2>();
+    const std::optional<double> turn = askew_hips(hips);
+    if (!turn) return std::nullopt;
+    return TrunkAxes{
+        fmt::format("the frame of the trunk '{}' is turned by {:.3g} degrees about z "
+                    "from the plane in which its hips are mirrored",
+                    name_of(model_, mjOBJ_BODY, trunk_), -*turn * 180.0 / std::numbers::pi),
+        {rounded(std::cos(*turn / 2.0)), 0.0, 0.0, rounded(-std::sin(*turn / 2.0))},
+        true,
+        true};
+  }
+
   TrunkAxes told(const Vector3d& up, const Held& held, bool stands) const {
     Eigen::Index axis = 0;
     up.cwiseAbs().maxCoeff(&axis);
@@ -127,7 +151,7 @@ class AxesFinder {
                         "plane, {4:.2g} m below the hips along {0}{1}{5}",
                         sign, "xyz"[axis], name_of(model_, mjOBJ_BODY, trunk_), held.legs,
                         held.below, stands ? ", and so the home pose has it" : ""),
-            turn_upright(up, stands ? drawn_ : Quaterniond::Identity()), stands};
+            turn_upright(up, stands ? drawn_ : Quaterniond::Identity()), stands, false};
   }
 
   /// How many legs end above their hips as the trunk is held: those of the other side, where all
@@ -176,21 +200,10 @@ class AxesFinder {
   const Quaterniond drawn_;
 };
 
-bool is_free_joint(const XmlElement& element) {
-  return is_tag(element, "freejoint") ||
-         (is_tag(element, "joint") && attribute(element, "type") == "free");
-}
-
-/// The body of the main file that has the free joint and stands in the world itself.
-const XmlElement* trunk_element(const XmlFile& xml) {
-  const XmlElement* found = nullptr;
-  for_each_element(xml.root(), [&](const XmlElement& element) {
-    const XmlElement* const body = is_free_joint(element) ? element.Parent()->ToElement() : nullptr;
-    if (found == nullptr && body != nullptr && is_tag(*body, "body") &&
-        is_tag(*body->Parent()->ToElement(), "worldbody"))
-      found = body;
-  });
-  return found;
+/// The trunk, where it is in the main file and stands in the world itself.
+const XmlElement* trunk_in_world(const XmlFile& xml) {
+  const XmlElement* const trunk = trunk_element(xml);
+  return trunk && is_tag(*trunk->Parent()->ToElement(), "worldbody") ? trunk : nullptr;
 }
 
 void remove_orientation(TextEdits& edits, const XmlElement& element) {
@@ -235,11 +248,11 @@ void turn_keyframe(TextEdits& edits, const XmlElement& key, int root, const Quat
 
 /// Puts runs of a body's parts that can stand in a <frame> into one.
 std::string with_frames(const std::string& edited, const std::filesystem::path& file,
-                        const std::array<int, 4>& turn) {
+                        const std::array<double, 4>& turn) {
   const auto xml = load_xml(edited, file);
   const std::string& text = xml->text;
   const std::string new_line = line_end(text);
-  const XmlElement& trunk = *trunk_element(*xml);
+  const XmlElement& trunk = *trunk_in_world(*xml);
   std::vector<std::pair<std::size_t, std::string>> added;
   bool open = false;
   std::size_t end = 0;
@@ -287,7 +300,7 @@ RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes) {
   Refusals none;
   const int trunk = find_trunk(*load_xml(files.text(), files.file()), *model, none);
   const int root = model->jnt_qposadr[model->body_jntadr[trunk]];
-  const XmlElement* const body = trunk_element(*xml);
+  const XmlElement* const body = trunk_in_world(*xml);
   std::vector<const XmlElement*> keys;
   for_each_element(xml->root(), [&](const XmlElement& element) {
     if (is_tag(element, "key")) keys.push_back(&element);
@@ -295,11 +308,12 @@ RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes) {
   if (body == nullptr || (axes.stands && keys.size() != static_cast<std::size_t>(model->nkey)))
     throw InputError(
         files.file().string(), 0, fmt::format("body '{}'", name_of(*model, mjOBJ_BODY, trunk)),
-        fmt::format("{}; expected z, and {} not in the main file, where init could turn it: put "
-                    "what stands in this body, but for its free joint and <inertial>, into <frame "
-                    "quat=\"{}\">…</frame>, turn <inertial> alike, and let its own orientation be "
-                    "that of an upright trunk, in keyframes too",
-                    axes.why, body == nullptr ? "the trunk is" : "its keyframes are",
+        fmt::format("{}; {} not in the main file, where init could turn it: put what stands in "
+                    "this body, but for its free joint and <inertial>, into <frame quat=\"{}\">…"
+                    "</frame>, turn <inertial> alike, and let its own orientation be that of an "
+                    "upright trunk, in keyframes too",
+                    axes.why + (axes.upright ? "" : "; expected z"),
+                    body == nullptr ? "the trunk is" : "its keyframes are",
                     fmt::join(axes.frame, " ")));
   const Quaterniond turn = turn_of(axes.frame);
   TextEdits edits(*xml);

@@ -10,11 +10,12 @@
 
 namespace legwright {
 
-/// A trunk whose frame has another axis than z up, as CAD programs draw it.
+/// A trunk whose frame has another axis than z up, as CAD programs draw it, or none ahead.
 struct TrunkAxes {
-  std::string why;           // with what is up, in words
-  std::array<int, 4> frame;  // of its axes in upright ones: a quaternion w x y z, not normalised
-  bool stands;               // in the file's own home pose, which turns the frame upright
+  std::string why;              // with what is up, or by how much it is askew, in words
+  std::array<double, 4> frame;  // of its axes in those sought: a quaternion w x y z, not normalised
+  bool stands;   // in the file's own home pose, which turns the frame upright, or is upright
+  bool upright;  // z is up: it is turned about that alone
 };
 
 /// Finds that the feet of a robot lie along another axis than −z of the trunk's frame: the home
@@ -22,13 +23,14 @@ struct TrunkAxes {
 /// one build end in one plane square to ±x or ±y, below their hips and the centre of mass along
 /// that axis, more of them than do so along z; or two hang at most half as far along z, and do so
 /// plainly along one of those axes (two_legs_up.hpp).
-/// Nothing where z is up, or where neither is so. Faults of the file are left to its reader.
+/// Where z is up, four hips and more that a plane askew to x and y mirrors turn it about z.
+/// Nothing where no such thing is so. Faults of the file are left to its reader.
 /// @param xml of all files of the robot, whose main one is `file`
 std::optional<TrunkAxes> find_trunk_axes(const std::string& xml, const std::filesystem::path& file);
 
-/// The same robot with a trunk's frame that has z up: what stands in the trunk but its free joint
-/// and <inertial> is put into a <frame>, <inertial> is turned, and the trunk and keyframes in which
-/// the file's own pose stands are turned back. All other bytes stay.
+/// The same robot with the frame of its trunk that is sought: what stands in the trunk but its free
+/// joint and <inertial> is put into a <frame>, <inertial> is turned, and the trunk and keyframes in
+/// which the file's own pose stands are turned back. All other bytes stay.
 /// Throws InputError, which teaches what to write by hand, where the trunk or those keyframes are
 /// not in the main file.
 RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes);

@@ -150,8 +150,9 @@ int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
                     name)));
   }
   if (name.empty())
-    reasons.add(InputError(xml.file.string(), 0, "body with the free joint",
-                           "has no name; give it one, like name=\"trunk\""));
+    reasons.add(InputError(
+        xml.file.string(), 0, "body with the free joint",
+        "has no name; give it one, like name=\"trunk\", as legwright init --write does"));
   return trunk;
 }
 

@@ -248,8 +248,11 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   if (std::string why = unsupported_stance(task, robot); !why.empty())
     warnings.push_back(std::move(why));
   if (const auto axes = find_trunk_axes(robot.xml, robot.file))
-    warnings.push_back(axes->why + "; plans and verdicts take z for up: `legwright init " +
-                       robot.file.filename().string() + " --write` turns the frame");
+    warnings.push_back(axes->why +
+                       (axes->upright ? "; ahead, left and right are along its axes"
+                                      : "; plans and verdicts take z for up") +
+                       ": `legwright init " + robot.file.filename().string() +
+                       " --write` turns the frame");
   for (std::string& odd : odd_joints(robot)) warnings.push_back(std::move(odd));
   for (std::string& unlike : unlike_sides(robot)) warnings.push_back(std::move(unlike));
   if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)

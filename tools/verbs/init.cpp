@@ -73,12 +73,17 @@ std::string pose_text(const StudiedRobot& robot, bool writes) {
                       : "         --write adds it as keyframe 'legwright'\n");
 }
 
-/// Bodies that got a name, by which their lengths are declared.
+/// Bodies that got a name: the trunk, and those whose lengths are declared by it.
 std::string names_text(const StudiedRobot& robot, bool writes) {
-  if (robot.named.empty()) return "";
-  return fmt::format("named    the bodies of the joints {}, which {} none, after {}\n",
-                     fmt::join(robot.named, ", "), writes ? "had" : "have",
-                     writes || robot.of_urdf ? "them" : "them (--write does)");
+  const char* const who = writes || robot.of_urdf ? "" : " (--write does)";
+  std::string text;
+  if (!robot.trunk.empty())
+    text = fmt::format("named    the trunk, which {} none, '{}'{}\n", writes ? "had" : "has",
+                       robot.trunk, who);
+  if (!robot.named.empty())
+    text += fmt::format("named    the bodies of the joints {}, which {} none, after them{}\n",
+                        fmt::join(robot.named, ", "), writes ? "had" : "have", who);
+  return text;
 }
 
 std::string remarks_text(const StudiedRobot& robot, const ProposedParameters& found) {
@@ -254,13 +259,17 @@ void refuse_task_for_the_file_as_it_is(const InitOptions& options, const Studied
   const auto refuse = [&](const std::string& why) {
     throw InputError(options.robot, 0, "", "no task is written" + why);
   };
+  if (!robot.trunk.empty())
+    refuse(": the trunk has no name in the file; add --write, which calls it '" + robot.trunk +
+           "', or -o NEW.xml");
   if (robot.pose)
     refuse(", in which the robot would not stand: " + robot.pose->why +
            "; add --write, which puts the pose that was found into the file as keyframe "
            "'legwright'");
   if (robot.axes)
-    refuse(", in which the robot would lie on its side: " + robot.axes->why +
-           "; add --write, which turns the trunk's frame");
+    refuse((robot.axes->upright ? ", in which it would not be told how the robot looks: "
+                                : ", in which the robot would lie on its side: ") +
+           robot.axes->why + "; add --write, which turns the trunk's frame");
   if (robot.root)
     refuse(
         fmt::format(": in the file six joints move the trunk '{}', and no free one; add "

@@ -5,6 +5,7 @@
 
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/doubtful_masses.hpp"
+#include "mjcf/propose/trunk_element.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/splice.hpp"
@@ -111,6 +112,7 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose,
           false,
           {},
           {},
+          {},
           {}};
 }
 
@@ -151,7 +153,9 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const For
   refuse_task(file);
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach, forward);
-  const RobotFiles given = RobotFiles::from_text(std::move(text), file, reach);
+  const RobotFiles read = RobotFiles::from_text(std::move(text), file, reach);
+  std::string trunk;
+  const RobotFiles given = with_named_trunk(read, &trunk);
   const std::optional<SixJointRoot> root = find_six_joint_root(given.text(), file);
   const RobotFiles drawn = root ? with_free_root(given, *root) : given;
   const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
@@ -159,14 +163,17 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const For
   FoundPose found = pose_of(files);
   StudiedRobot robot =
       told_of_pose(found, files, [&] { return study(files, found.pose, forward); });
-  robot.text = given.main_text();
+  robot.text = read.main_text();
   robot.axes = axes;
   robot.root = root;
+  robot.trunk = trunk;
   return robot;
 }
 
 std::vector<std::string> changes_besides(const StudiedRobot& robot) {
   std::vector<std::string> out = robot.mended;
+  if (!robot.trunk.empty())
+    out.push_back(fmt::format("the trunk, which had no name, is called '{}'", robot.trunk));
   if (robot.root)
     out.push_back(fmt::format("a free joint in the place of the six by which the trunk '{}' floats",
                               robot.root->body));
@@ -184,7 +191,8 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
                      "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
                      "as MJCF with them");
   if (!output.empty() && !onto_itself) refuse_existing(output);
-  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && !robot.root && output.empty())
+  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && !robot.root &&
+      robot.trunk.empty() && output.empty())
     return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);

@@ -24,6 +24,7 @@ struct StudiedRobot {
   std::set<std::string> named;       // joints whose bodies had no name
   bool of_urdf = false;              // `files` hold the MJCF that was made of it
   std::vector<std::string> mended;   // on the way from it
+  std::string trunk;                 // what it is called that had no name; else empty
   std::optional<TrunkAxes> axes;     // of the file, where z is not up in its trunk's frame
   std::optional<SixJointRoot> root;  // that had the place of the free joint in `files`
 };
@@ -33,7 +34,8 @@ struct StudiedRobot {
 StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {},
                          const Forward& forward = {});
 
-/// What writing changes besides declarations and poses, a sentence each: `mended`, `root`, `axes`.
+/// What writing changes besides declarations and poses, a sentence each: `mended`, `trunk`, `root`
+/// and `axes`.
 std::vector<std::string> changes_besides(const StudiedRobot& robot);
 
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe

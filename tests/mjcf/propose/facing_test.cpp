@@ -69,6 +69,29 @@ TEST(Facing, FollowsTheNamesOfTheLegs) {
             "");
 }
 
+TEST(Facing, FollowsLeftAndRightWhereNoNameTellsFront) {
+  const std::vector<Hip> two{{"left", 0, .1}, {"right", 0, -.1}};
+  EXPECT_EQ(facing(two).ahead, Vector2d(1, 0));
+  const Facing found = facing(turned(two));
+  EXPECT_EQ(found.ahead, Vector2d(0, 1));
+  EXPECT_NE(found.remark.find("are called left hang 0.2 m along -x"), std::string::npos)
+      << found.remark;
+  EXPECT_EQ(facing(turned(turned(two))).ahead, Vector2d(-1, 0));
+  EXPECT_EQ(facing(turned(turned(turned(two)))).ahead, Vector2d(0, -1));
+  // Rows know no sign, names do.
+  const std::vector<Hip> ant{{"L1", .2, .1},  {"L2", 0, .12},  {"L3", -.2, .1},
+                             {"R1", .2, -.1}, {"R2", 0, -.12}, {"R3", -.2, -.1}};
+  EXPECT_EQ(facing(turned(turned(turned(ant)))).ahead, Vector2d(0, -1));
+}
+
+TEST(Facing, TwoLegsWithoutNamesStandBesideEachOther) {
+  EXPECT_EQ(facing({{"a", 0, .1}, {"b", 0, -.1}}).remark, "");
+  const Facing found = facing({{"a", -.1, 0}, {"b", .1, 0}});
+  EXPECT_EQ(found.ahead, Vector2d(0, 1));
+  EXPECT_NE(found.remark.find("two hips stand 0.2 m apart along x"), std::string::npos)
+      << found.remark;
+}
+
 TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {
   const Facing found = facing(turned(kAnt));
   EXPECT_EQ(found.ahead, Vector2d(0, 1));
@@ -149,6 +172,16 @@ TEST(SideWords, TellRows) {
     EXPECT_EQ(row_word(name), -1) << name;
   for (const char* name : {"", "hip", "left", "front_hind", "flange", "LM_coxa", "r", "l"})
     EXPECT_EQ(row_word(name), 0) << name;
+}
+
+TEST(SideWords, TellSides) {
+  for (const char* name :
+       {"FL_hip", "hip_left", "LHip", "thighL", "l_ankle", "LM_coxa", "leftKnee"})
+    EXPECT_EQ(lateral_word(name), 1) << name;
+  for (const char* name : {"FR_hip", "right.hip", "RLeg", "kneeR", "r", "RRUpper", "BackRight2"})
+    EXPECT_EQ(lateral_word(name), -1) << name;
+  for (const char* name : {"", "hip", "lever", "roll", "left_right", "front"})
+    EXPECT_EQ(lateral_word(name), 0) << name;
 }
 
 TEST(SideWords, LeaveThePart) {

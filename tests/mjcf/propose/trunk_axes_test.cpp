@@ -77,7 +77,7 @@ TEST(TrunkAxes, OfAHexapodDrawnOnItsSideAreTurned) {
   const RobotFiles drawn = files_of(without_keyframe(test::strider_with_y_up()));
   const auto axes = axes_of(drawn);
   ASSERT_TRUE(axes);
-  EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 0, 0}));
+  EXPECT_EQ(axes->frame, (std::array<double, 4>{1, 1, 0, 0}));
   EXPECT_FALSE(axes->stands);
   EXPECT_EQ(axes->why.find("y is up in the frame of the trunk 'body': its 6 feet"), 0U)
       << axes->why;
@@ -120,7 +120,7 @@ TEST(TrunkAxes, OfAWideHexapodDrawnFlatHaveZUp) {
 }
 
 TEST(TrunkAxes, AreFoundAlongEachDirection) {
-  using Quat = std::array<int, 4>;
+  using Quat = std::array<double, 4>;
   for (const auto& [frame, inertial, up, turn] :
        {std::tuple{"1 1 0 0", R"(pos="0 -0.01 0" diaginertia="0.00562 0.02312 0.0185")", "-y",
                    Quat{1, -1, 0, 0}},
@@ -135,6 +135,20 @@ TEST(TrunkAxes, AreFoundAlongEachDirection) {
     EXPECT_EQ(axes->frame, turn) << up;
     expect_strider(with_upright_axes(drawn, *axes).text(), 0.115267);
   }
+}
+
+/// z is up, but x looks between two legs: what stands in the trunk is turned, the robot is not.
+TEST(TrunkAxes, ThatAreAskewToTheHipsAreTurnedAboutZ) {
+  const char* const inertial = R"(pos="0 0 .01" quat="12 0 0 5" diaginertia=".00562 .0185 .02312")";
+  const std::string xml = test::with(test::strider_in_axes("12 0 0 5", inertial),
+                                     "0 0 0.115267 1 0 0 0 ", "0 0 0.115267 12 0 0 -5 ");
+  const auto axes = axes_of(files_of(xml));
+  ASSERT_TRUE(axes);
+  EXPECT_TRUE(axes->upright);
+  EXPECT_NE(axes->why.find("is turned by 44.8 degrees about z"), std::string::npos) << axes->why;
+  const std::string turned = with_upright_axes(files_of(xml), *axes).text();
+  expect_strider(turned, 0.115267);
+  EXPECT_FALSE(axes_of(files_of(turned)));
 }
 
 TEST(TrunkAxes, AllOtherBytesStay) {
@@ -159,7 +173,7 @@ TEST(TrunkAxes, ThatAKeyframeTurnsUprightAreTurnedThereToo) {
   const auto axes = axes_of(files_of(xml));
   ASSERT_TRUE(axes);
   EXPECT_TRUE(axes->stands);
-  EXPECT_EQ(axes->frame, (std::array<int, 4>{1, 1, 1, 1})) << "it faces on as it stands there";
+  EXPECT_EQ(axes->frame, (std::array<double, 4>{1, 1, 1, 1})) << "it faces on as it stands there";
   const RobotFiles upright = with_upright_axes(files_of(xml), *axes);
   EXPECT_NE(upright.text().find("qpos=\"0 0 0.115267 1 0 0 0 "), std::string::npos);
   EXPECT_FALSE(find_standing_pose(upright.text(), kFile)) << "its keyframe holds";

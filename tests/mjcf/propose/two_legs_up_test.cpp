@@ -20,10 +20,11 @@ namespace {
 const char* const kBipedFile = "biped.xml";
 
 /// A biped with straight legs and without a keyframe, all that stands in its trunk turned.
-RobotFiles drawn_lying(const std::array<int, 4>& frame, std::string upright = test::flat_biped()) {
+RobotFiles drawn_lying(const std::array<double, 4>& frame,
+                       std::string upright = test::flat_biped()) {
   const std::size_t from = upright.find("  <keyframe>");
   upright.erase(from, upright.find("</keyframe>") + 11 - from);
-  return with_upright_axes(RobotFiles::from_text(upright, kBipedFile), {"", frame, false});
+  return with_upright_axes(RobotFiles::from_text(upright, kBipedFile), {"", frame, false, false});
 }
 
 std::optional<TrunkAxes> axes_in(const RobotFiles& files) {
@@ -31,7 +32,7 @@ std::optional<TrunkAxes> axes_in(const RobotFiles& files) {
 }
 
 TEST(TwoLegsUp, ABipedDrawnLyingIsTurnedUprightAlongEachAxis) {
-  using Quat = std::array<int, 4>;
+  using Quat = std::array<double, 4>;
   for (const auto& [lying, up] :
        {std::tuple{Quat{1, -1, 0, 0}, "y is up"}, std::tuple{Quat{1, 1, 0, 0}, "-y is up"},
         std::tuple{Quat{1, 0, 1, 0}, "x is up"}, std::tuple{Quat{1, 0, -1, 0}, "-x is up"}}) {

@@ -233,6 +233,21 @@ TEST_F(InitOfUrdf, ATrunkThatFloatsBySixJointsGetsAFreeOne) {
   EXPECT_EQ(call({"check", task_.string()}).code, 0);
 }
 
+TEST_F(InitOfUrdf, ATrunkWithoutANameIsGivenOne) {
+  const std::string given =
+      test::with(read_file(fs::path(test::source_dir()) / "tests/robots/strider/robot.xml"),
+                 "<body name=\"body\"", "<body");
+  write_file(robot_, given);
+  const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
+  EXPECT_EQ(none.code, 2) << none.out;
+  EXPECT_TRUE(contains(none.err, "calls it 'trunk'")) << none.err;
+  EXPECT_EQ(read_file(robot_), given);
+  const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(read_file(robot_), "name=\"trunk\""));
+  EXPECT_EQ(call({"check", task_.string()}).code, 0);
+}
+
 TEST_F(InitOfUrdf, NoTaskIsWrittenForAnMjcfThatHasToBeTurnedFirst) {
   const std::string drawn = test::strider_with_y_up();
   write_file(robot_, drawn);
