@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -24,6 +25,7 @@ constexpr double kRowsApart = 0.5;     // of the spread within a row: closer one
 constexpr double kLeastSpread = 0.01;  // of all hips: rows are not straighter
 constexpr double kAhead = 0.1;         // of the spread of all hips: called rows are so far apart
 constexpr double kLonger = 1.5;        // times as far apart along one axis as along the other: told
+constexpr double kHingeAlong = 0.95;   // cosine between a hinge and an axis along which it is
 constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
 
 /// Where a limb hangs at the trunk or waist [m].
@@ -107,6 +109,17 @@ Facing facing_of_two(const std::vector<Limb>& limbs, const Eigen::Matrix2Xd& hip
                    fmt::format("its two hips stand {:.3g} m apart along x", apart.x()));
 }
 
+/// Whether a leg hangs below its hip and swings along y: most of its hinges turn about x,
+/// and none about z, as those of legs that reach out sideways do.
+bool swings_along_y(const Limb& limb, const Vector2d& hip) {
+  std::array<int, 3> about{};
+  for (const Eigen::Vector3d& axis : limb.axes)
+    for (int k = 0; k < 3; ++k)
+      about.at(static_cast<std::size_t>(k)) += std::abs(axis[k]) > kHingeAlong;
+  return about[0] >= 2 && about[0] > about[1] && about[2] == 0 &&
+         std::abs(limb.home.y() - hip.y()) < std::abs(limb.home.z());
+}
+
 /// Of legs that no name calls front or hind, left or right.
 Facing facing_without_names(const RobotModel& robot, const std::vector<Limb>& limbs,
                             const Eigen::Matrix2Xd& hips) {
@@ -122,6 +135,11 @@ Facing facing_without_names(const RobotModel& robot, const std::vector<Limb>& li
                                              eye->camera.empty() ? "" : " '" + eye->camera + "'",
                                              facing_text(eye->along)));
   if (hips.cols() == 2) return facing_of_two(limbs, hips);
+  Eigen::Index swinging = 0;
+  for (std::size_t k = 0; k < limbs.size(); ++k)
+    swinging += swings_along_y(limbs[k], hips.col(static_cast<Eigen::Index>(k)));
+  if (swinging == hips.cols())
+    return turned_to(Vector2d::UnitY(), "its legs swing in planes along y");
   const Vector2d spread = hips.rowwise().maxCoeff() - hips.rowwise().minCoeff();
   if (hips.cols() == 4 && spread.y() > kLonger * spread.x())
     out.remark = fmt::format(

@@ -22,7 +22,8 @@ using Forward = std::optional<Eigen::Vector2d>;
 /// By the legs that their names call front and hind, where these stand apart along one axis;
 /// without such names by those that are called left and right; without these, of six legs and more,
 /// by the longer side of what hips span; else by where a camera on the trunk looks out (eye_of()).
-/// Two legs stand beside each other. Of four legs that stand farther apart along y a remark asks.
+/// Two legs stand beside each other; more that hang below their hips swing ahead. Of four legs that
+/// stand farther apart along y a remark asks.
 Facing facing_of(const RobotModel& robot);
 
 }  // namespace legwright

@@ -363,10 +363,13 @@ class ProposalBuilder {
         const char* const axis = n == 0 ? "x" : "z";
         const double at = compiled_->site_pos[3 * site + n];
         const double most = std::max(kShortestMove, kAttachmentShare * std::abs(at));
+        // Links have frames of their own, whichever way the robot faces: places tell the mirror.
+        const bool turns = twin && n == 0 && at * compiled_->site_pos[3 * other] < 0.0;
         offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
                at + most, "m",
-               fmt::format("place {}: {}{}", axis, name,
-                           twin ? mark() + name_of(*compiled_, mjOBJ_SITE, other) : ""),
+               fmt::format(
+                   "place {}: {}{}", axis, name,
+                   twin ? (turns ? " ^" : " ~") + name_of(*compiled_, mjOBJ_SITE, other) : ""),
                fmt::format("Where the linear actuator {} is attached, along {} of its body{}.",
                            actuator.name, axis, twin ? "; left and right mirror each other" : "")});
       }

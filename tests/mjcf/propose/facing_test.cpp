@@ -17,16 +17,17 @@ struct Hip {
 };
 
 /// Legs of two joints below hips.
-Facing facing(const std::vector<Hip>& hips, const std::string& in_trunk = "") {
+Facing facing(const std::vector<Hip>& hips, const std::string& in_trunk = "",
+              const std::string& axis = "0 1 0") {
   std::string legs, servos;
   for (const Hip& hip : hips) {
     legs += fmt::format(
-        R"(<body name="{0}_thigh" pos="{1} {2} 0"><joint name="{0}_hip" axis="0 1 0"/>
+        R"(<body name="{0}_thigh" pos="{1} {2} 0"><joint name="{0}_hip" axis="{3}"/>
         <inertial pos="0 0 -.05" mass=".1" diaginertia="1e-4 1e-4 1e-4"/>
-        <body name="{0}_shank" pos="0 0 -.1"><joint name="{0}_knee" axis="0 1 0"/>
+        <body name="{0}_shank" pos="0 0 -.1"><joint name="{0}_knee" axis="{3}"/>
         <inertial pos="0 0 -.05" mass=".1" diaginertia="1e-4 1e-4 1e-4"/>
         <geom size=".01" pos="0 0 -.1"/></body></body>)",
-        hip.name, hip.x, hip.y);
+        hip.name, hip.x, hip.y, axis);
     for (const char* joint : {"hip", "knee"})
       servos +=
           fmt::format(R"(<position joint="{}_{}" kp="50" forcerange="-5 5"/>)", hip.name, joint);
@@ -90,6 +91,15 @@ TEST(Facing, TwoLegsWithoutNamesStandBesideEachOther) {
   EXPECT_EQ(found.ahead, Vector2d(0, 1));
   EXPECT_NE(found.remark.find("two hips stand 0.2 m apart along x"), std::string::npos)
       << found.remark;
+}
+
+TEST(Facing, IsWhereLegsWithoutNamesSwing) {
+  const std::vector<Hip> four{{"a", .1, .1}, {"b", .1, -.1}, {"c", -.1, .1}, {"d", -.1, -.1}};
+  EXPECT_EQ(facing(four).ahead, Vector2d(1, 0));
+  const Facing found = facing(four, "", "1 0 0");
+  EXPECT_EQ(found.ahead, Vector2d(0, 1));
+  EXPECT_NE(found.remark.find("swing in planes along y"), std::string::npos) << found.remark;
+  EXPECT_EQ(facing(kDog, "", "1 0 0").ahead, Vector2d(1, 0)) << "names tell: it walks sideways";
 }
 
 TEST(Facing, FollowsTheRowsOfManyLegsWithoutNames) {

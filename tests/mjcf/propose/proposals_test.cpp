@@ -220,6 +220,12 @@ TEST(StudyRobot, ProposesTheEndsOfPistons) {
   const ProposedParameters found = study(undeclared(example_robot("piston_puppy")));
   EXPECT_EQ(proposal_named(found, "front_piston_top_x").binding,
             "place x: FL_piston_top ~FR_piston_top");
+  // Its links have the same frames where it is drawn to look along y.
+  std::string turned = undeclared(example_robot("piston_puppy"));
+  turned.insert(turned.find("/>", turned.find("<inertial")) + 2, "<frame quat=\"1 0 0 1\">");
+  turned.insert(turned.rfind("</body>"), "</frame>");
+  EXPECT_EQ(proposal_named(study(turned), "front_piston_top_x").binding,
+            "place x: FL_piston_top ~FR_piston_top");
 }
 
 TEST(StudyRobot, EveryDesignWithinTheProposedBoundsCanBeWritten) {
