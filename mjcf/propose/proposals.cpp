@@ -364,7 +364,7 @@ class ProposalBuilder {
         const double at = compiled_->site_pos[3 * site + n];
         const double most = std::max(kShortestMove, kAttachmentShare * std::abs(at));
         // Links have frames of their own, whichever way the robot faces: places tell the mirror.
-        const bool turns = twin && n == 0 && at * compiled_->site_pos[3 * other] < 0.0;
+        const bool turns = twin && n == 0 && at * compiled_->site_pos[3 * other + n] < 0.0;
         offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
                at + most, "m",
                fmt::format(
