@@ -47,6 +47,8 @@ struct Alike {
   Stand first, second;
   std::size_t count = 0;
   bool is_deep = false;
+
+  bool is_of_trunk() const { return !first.table() || !second.table(); }
 };
 
 std::string named(const std::string& name, const Stand& at) {
@@ -151,16 +153,17 @@ std::vector<std::string> overlap_notes(const Assembly& assembly,
   return out;
 }
 
-void refuse_deep_overlaps(const Assembly& assembly, const std::vector<ModuleOverlap>& overlaps,
-                          const std::filesystem::path& file) {
+void refuse_overlaps(const Assembly& assembly, const std::vector<ModuleOverlap>& overlaps,
+                     const std::filesystem::path& file) {
   const std::vector<PlacedLimb> limbs = placed_limbs(assembly);
   std::vector<InputError> reasons;
   for (const Alike& pair : alike_pairs(stands_of(assembly, limbs), overlaps))
-    if (pair.is_deep)
-      reasons.emplace_back(
-          file.string(), pair.first.line(), pair.first.key(),
-          fmt::format("{} would stand {}, the middle of one in the other; {}", pair.deepest.first,
-                      told(pair), cure(pair.first, pair.second)));
+    if (pair.is_deep || (assembly.print && !pair.is_of_trunk()))
+      reasons.emplace_back(file.string(), pair.first.line(), pair.first.key(),
+                           fmt::format("{} would stand {}, {}; {}", pair.deepest.first, told(pair),
+                                       pair.is_deep ? "the middle of one in the other"
+                                                    : "and [print] asks for parts that hold both",
+                                       cure(pair.first, pair.second)));
   if (!reasons.empty()) throw InputError(std::move(reasons));
 }
 

@@ -17,9 +17,10 @@ std::vector<std::string> overlap_notes(const Assembly& assembly,
                                        const std::vector<ModuleOverlap>& overlaps);
 
 /// Refuses those of which the middle of one is in the other, which no outline drawn too large
-/// explains: throws InputError with their lines, all of them at once.
+/// explains; of a robot that is to be printed, `Assembly::print`, all but those of the trunk, as no
+/// part holds both. Throws InputError with their lines, all of them at once.
 /// @param file of the assembly
-void refuse_deep_overlaps(const Assembly& assembly, const std::vector<ModuleOverlap>& overlaps,
-                          const std::filesystem::path& file);
+void refuse_overlaps(const Assembly& assembly, const std::vector<ModuleOverlap>& overlaps,
+                     const std::filesystem::path& file);
 
 }  // namespace legwright

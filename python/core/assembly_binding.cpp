@@ -44,7 +44,7 @@ PythonAssembly build(const std::string& text, const fs::path& file,
   try {
     const BuiltRobot built = build_robot(assembly, output);
     out.tells_lines = true;
-    refuse_deep_overlaps(assembly, built.overlaps, file);
+    refuse_overlaps(assembly, built.overlaps, file);
     for (const std::string& overlap : overlap_notes(assembly, built.overlaps))
       out.doubts.push_back(file.string() + ": " + overlap);
     out.xml = built.xml;

@@ -106,7 +106,7 @@ BuiltRobot accepted_robot(const Assembly& assembly, const std::vector<std::strin
                           const BuildOptions& options) {
   try {
     BuiltRobot built = robot_of(assembly, options);
-    refuse_deep_overlaps(assembly, built.overlaps, options.assembly);
+    refuse_overlaps(assembly, built.overlaps, options.assembly);
     return built;
   } catch (const InputError&) {
     for (const std::string& warning : warnings)

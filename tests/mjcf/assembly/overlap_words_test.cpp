@@ -32,7 +32,7 @@ std::vector<std::string> notes_of(const Assembly& assembly) {
 
 std::string refusal_of(const Assembly& assembly) {
   try {
-    refuse_deep_overlaps(assembly, build_robot(assembly, "dog.xml").overlaps, "dog.toml");
+    refuse_overlaps(assembly, build_robot(assembly, "dog.xml").overlaps, "dog.toml");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -54,6 +54,24 @@ TEST(OverlapWords, TellABatteryInServosOnceForAllFour) {
             "deepest of 4 such pairs: nobody can put that together; move the part by its position, "
             "or the limb by hip");
   EXPECT_EQ(build_robot(dog, "dog.xml").notes.front(), notes[0]) << "which build tells first";
+  EXPECT_EQ(refusal_of(dog), "");
+}
+
+/// Which passes otherwise: what is printed has no room for both.
+TEST(OverlapWords, RefuseABatteryInServosOfADogThatIsToBePrinted) {
+  Assembly dog = dog_of_a_file();
+  dog.link_shape = LinkShape::hull;
+  dog.print = PrintLimits{};
+  EXPECT_EQ(refusal_of(dog), "") << "hips stand in the tray";
+  dog.parts[0].module.outline[0].size = {0.19, 0.0728, 0.02};
+  EXPECT_EQ(refusal_of(dog), "") << "0.4 mm";
+  dog.parts[0].module.outline[0].size = {0.19, 0.0736, 0.02};
+  const std::string told = refusal_of(dog);
+  EXPECT_TRUE(told.starts_with(
+      "dog.toml:5: part.module: part_1_pack would stand 0.8 mm inside FL_hip_servo (line 13) along "
+      "y at home, the deepest of 4 such pairs, and [print] asks for parts that hold both; move"))
+      << told;
+  dog.print.reset();
   EXPECT_EQ(refusal_of(dog), "");
 }
 
