@@ -316,9 +316,10 @@ class AssemblyWriter {
     out_.empty();
     out_.open("<custom>");
     if (assembly_.print)
-      out_.add(fmt::format("<text name=\"{}\" data=\"bed {} {} m\"/>", kPrintText,
+      out_.add(fmt::format("<text name=\"{}\" data=\"bed {} {} m margin {} m\"/>", kPrintText,
                            format_number(assembly_.print->bed.x()),
-                           format_number(assembly_.print->bed.y())));
+                           format_number(assembly_.print->bed.y()),
+                           format_number(assembly_.print->margin)));
     for (const std::string& motor : motor_lines()) out_.add(motor);
     for (const std::string& module : modules_) out_.add(module);
     if (!assembly_.print || assembly_.print->turn > 0.0) declare_turning_servos();

@@ -126,10 +126,10 @@ class BoundsOfPrint {
                       "little room to turn: give it a `range` no larger than it needs: {}",
                       fmt::join(boundless_, ", ")));
     if (!too_large_.empty())
-      out_.notes.push_back(
-          fmt::format("larger than the bed as drawn, which [print] bed gives, and no design is "
-                      "larger still: {}",
-                      fmt::join(too_large_, ", ")));
+      out_.notes.push_back(fmt::format(
+          "larger than the bed as drawn, less {:.3g} mm at each side of it ([print] bed, "
+          "margin), and no design is larger still: {}",
+          1e3 * assembly_.print->margin, fmt::join(too_large_, ", ")));
     if (!narrowed_.empty())
       out_.notes.push_back(fmt::format(
           "what is printed narrows bounds, by the clearance of {:.3g} mm and the bed: {}",

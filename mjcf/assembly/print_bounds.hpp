@@ -24,8 +24,8 @@ struct PrintBounds {
 /// - Length and width of the trunk: servos and parts on it keep the clearance where they do as
 ///   drawn; the tray with its cradles lies on the bed. The second at the least of the first.
 /// Axes are no proposals of such a robot (printed_robot.hpp).
-/// What is larger than the bed as drawn may not grow. Bounds are sampled on the way from the drawn
-/// design, and found to 1e-5 of a length.
+/// Of the bed counts what its margins leave; what is larger as drawn may not grow. Bounds are
+/// sampled on the way from the drawn design, and found to 1e-5 of a length.
 /// @param proposals of the robot as it was built
 PrintBounds print_bounds(const Assembly& assembly, const std::vector<Proposal>& proposals);
 

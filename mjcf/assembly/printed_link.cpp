@@ -29,7 +29,7 @@ PrintedLink::PrintedLink(const Assembly& assembly, const PlacedLimb& limb, std::
       hulls_(hulls_of_link(assembly, limb, joint).hulls),
       clearance_(assembly.link_clearance - kKeptByLinks) {
   find_what_is_near(carrier_of(assembly, limb, joint));
-  const double room = assembly.print->bed.minCoeff();
+  const double room = assembly.print->room().minCoeff();
   fits_ = span(1.0, {}) <= room;
   most_span_ = std::max(room, span(1.0, {}));
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/propose/module_overlaps.hpp"
 
 namespace legwright {
 namespace {
@@ -15,6 +16,7 @@ using Eigen::Vector3d;
 constexpr double kKeptOnTrunk = 1e-9;  // [m], of distances and sizes that stay as they are
 // [m] around servos on the trunk: `legwright parts` takes its --fit and twice its --wall there.
 constexpr double kCradle = 0.3e-3 + 2.0 * 1.2e-3;
+constexpr double kCore = 0.5 * kToldOverlap;  // [m] of an outline, which its core leaves out
 
 /// The poses of two riders that can be at once, of all combinations of what turns one of them.
 std::vector<std::pair<std::size_t, std::size_t>> poses_at_once(
@@ -36,24 +38,32 @@ std::vector<std::pair<std::size_t, std::size_t>> poses_at_once(
   return out;
 }
 
-}  // namespace
-
-Module with_cradle(Module servo) {
-  for (OutlineShape& shape : servo.outline) {
+/// A module whose outline is larger on all sides; smaller by what is less than 0.
+Module with_grown_outline(Module module, double by) {
+  for (OutlineShape& shape : module.outline) {
     const bool is_box = shape.type == OutlineShape::Type::box;
-    shape.size += Vector3d(is_box ? 2.0 : 1.0, 2.0, is_box ? 2.0 : 0.0) * kCradle;
+    const Vector3d more = Vector3d(is_box ? 2.0 : 1.0, 2.0, is_box ? 2.0 : 0.0) * by;
+    shape.size = (shape.size + more).cwiseMax(0.5 * shape.size);
   }
-  return servo;
+  return module;
 }
 
+}  // namespace
+
+Module with_cradle(Module servo) { return with_grown_outline(std::move(servo), kCradle); }
+
 PrintedTrunk::PrintedTrunk(const Assembly& assembly)
-    : bed_(assembly.print->bed), clearance_(assembly.link_clearance - kKeptOnTrunk) {
+    : room_(assembly.print->room()), clearance_(assembly.link_clearance - kKeptOnTrunk) {
   const ModuleExtent box = extent_of(assembly.trunk);
   low_ = box.middle - box.half;
   high_ = box.middle + box.half;
   for (const AssemblyPart& part : assembly.parts) {
     const Eigen::Isometry3d pose(Eigen::Translation3d(part.position));
-    riders_.push_back({part.position, outline_hulls(part.module, pose), {}, ""});
+    riders_.push_back({part.position,
+                       outline_hulls(part.module, pose),
+                       outline_hulls(with_grown_outline(part.module, -kCore), pose),
+                       {},
+                       ""});
   }
   for (const PlacedLimb& limb : placed_limbs(assembly)) {
     const AssemblyJoint& hip = limb.of->joints.front();
@@ -63,13 +73,21 @@ PrintedTrunk::PrintedTrunk(const Assembly& assembly)
         for (Vector3d& point : hull.points) point = limb.hip + limb.vector(point);
       return out;
     };
-    riders_.push_back({limb.hip, on_trunk(hip.servo), on_trunk(with_cradle(hip.servo)), limb.name});
+    riders_.push_back({limb.hip, on_trunk(hip.servo),
+                       on_trunk(with_grown_outline(hip.servo, -kCore)),
+                       on_trunk(with_cradle(hip.servo)), limb.name});
   }
   const std::vector<PosedRider> drawn = all_posed(Vector3d::Ones(), {});
   drawn_size_ = size_of(drawn, Vector3d::Ones());
   for (std::size_t i = 0; i < drawn.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      drawn_.push_back(hull_distance(drawn[i].outlines[0], drawn[j].outlines[0]));
+    for (std::size_t j = 0; j < i; ++j) drawn_.push_back(distance(drawn[i], 0, drawn[j], 0));
+}
+
+double PrintedTrunk::distance(const PosedRider& one, std::size_t pose, const PosedRider& other,
+                              std::size_t its_pose) {
+  const double apart = hull_distance(one.outlines[pose], other.outlines[its_pose]);
+  if (apart > 0.0) return apart;
+  return std::min(0.0, hull_distance(one.cores[pose], other.cores[its_pose]) - 2.0 * kCore);
 }
 
 bool PrintedTrunk::is_allowed(const Vector3d& scale, const std::vector<HipTurn>& hips) const {
@@ -83,14 +101,14 @@ bool PrintedTrunk::is_allowed(const Vector3d& scale, const std::vector<HipTurn>&
     for (std::size_t j = 0; j < i; ++j, ++pair) {
       const double least = std::min(clearance_, drawn_[pair] - kKeptOnTrunk);
       for (const auto& [a, b] : poses_at_once(riders[i].turns, riders[j].turns))
-        if (hull_distance(riders[i].outlines[a], riders[j].outlines[b]) < least) return false;
+        if (distance(riders[i], a, riders[j], b) < least) return false;
     }
   return true;
 }
 
 bool PrintedTrunk::lies_on_bed(const Vector3d& size) const {
-  return (size.x() <= bed_.x() && size.y() <= bed_.y()) ||
-         (size.x() <= bed_.y() && size.y() <= bed_.x());
+  return (size.x() <= room_.x() && size.y() <= room_.y()) ||
+         (size.x() <= room_.y() && size.y() <= room_.x());
 }
 
 PrintedTrunk::PosedRider PrintedTrunk::posed(const Rider& rider, const Vector3d& scale,
@@ -108,6 +126,7 @@ PrintedTrunk::PosedRider PrintedTrunk::posed(const Rider& rider, const Vector3d&
     }
     move.translate(-rider.place);
     out.outlines.push_back(moved(rider.outline, move));
+    out.cores.push_back(moved(rider.core, move));
     if (rider.cradle.empty()) continue;
     out.low.push_back(Vector3d::Constant(std::numeric_limits<double>::infinity()));
     out.high.push_back(-out.low.back());
@@ -129,7 +148,7 @@ std::vector<PrintedTrunk::PosedRider> PrintedTrunk::all_posed(
 
 Vector3d PrintedTrunk::size_of(const std::vector<PosedRider>& riders, const Vector3d& scale) const {
   std::vector<PosedRider> all = riders;
-  all.push_back({{}, {}, {low_.cwiseProduct(scale)}, {high_.cwiseProduct(scale)}});
+  all.push_back({{}, {}, {}, {low_.cwiseProduct(scale)}, {high_.cwiseProduct(scale)}});
   Vector3d out = Vector3d::Zero();
   for (const PosedRider& far : all)
     for (const PosedRider& near : all)

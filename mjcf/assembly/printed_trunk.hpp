@@ -38,17 +38,22 @@ class PrintedTrunk {
  private:
   struct Rider {
     Eigen::Vector3d place;  // of its body [m]
-    OutlineHulls outline, cradle;
+    OutlineHulls outline, core, cradle;
     std::string limb;  // of a servo
   };
   /// A rider at a scale, with each turn of its limb at either bound.
   struct PosedRider {
     std::vector<std::size_t> turns;          // of `hips`, whose bits in this order number the poses
     std::vector<OutlineHulls> outlines;      // by pose
+    std::vector<OutlineHulls> cores;         // of these, within which modules never touch
     std::vector<Eigen::Vector3d> low, high;  // of cradles, by pose; none of other parts
   };
 
   bool lies_on_bed(const Eigen::Vector3d& size) const;
+  /// How far two riders are apart, each in a pose; less than 0 where they are into each other, by
+  /// as much as is passed over at most [m].
+  static double distance(const PosedRider& one, std::size_t pose, const PosedRider& other,
+                         std::size_t its_pose);
   PosedRider posed(const Rider& rider, const Eigen::Vector3d& scale,
                    const std::vector<HipTurn>& hips) const;
   std::vector<PosedRider> all_posed(const Eigen::Vector3d& scale,
@@ -57,7 +62,7 @@ class PrintedTrunk {
   Eigen::Vector3d size_of(const std::vector<PosedRider>& riders,
                           const Eigen::Vector3d& scale) const;
 
-  Eigen::Vector2d bed_;         // [m]
+  Eigen::Vector2d room_;        // of the bed [m]
   Eigen::Vector3d drawn_size_;  // of the tray [m]
   double clearance_;            // [m]
   Eigen::Vector3d low_, high_;  // of its box [m]

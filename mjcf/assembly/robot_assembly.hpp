@@ -65,6 +65,10 @@ enum class LinkShape { hull, capsule };
 struct PrintLimits {
   Eigen::Vector2d bed{0.22, 0.22};  // of the printer [m]
   double turn = 0.0;                // how far axes of joints may turn, either way [rad]
+  double margin = 0.004;            // that stays free at each side of the bed [m]
+
+  /// Of the bed what parts may lie on [m].
+  Eigen::Vector2d room() const { return bed.array() - 2.0 * margin; }
 };
 
 /// Axes of all vectors are those of the trunk with all angles zero: x forward, y left, z up. SI

@@ -7,8 +7,8 @@
 
 namespace legwright {
 
-/// `build` calls so the <text data="bed 0.22 0.22 m"> of a robot whose parts are to be printed on
-/// that bed.
+/// `build` calls so the <text data="bed 0.22 0.22 m margin 0.004 m"> of a robot whose parts are to
+/// be printed on that bed, and leave so much of it free at each side.
 inline constexpr std::string_view kPrintText = "legwright_print";
 
 /// Why the axis of a joint of such a robot is no design parameter where no servo turns with it.

@@ -55,6 +55,16 @@ def assert_apart(boxes: list[tuple[str, np.ndarray]]) -> None:
         assert apart.max() >= SPACE - 1e-3
 
 
+def test_plates_leave_the_margin_free(printed):
+    """The puppy's, whose trunk with that margin lies turned on the narrow bed."""
+    made = printed('puppy')
+    files = plate_files('it', made.parts, (155, 225, 250), 5.0)
+    for name in ('plate_1.3mf', 'plate_2.3mf'):
+        boxes = boxes_of(files[name])
+        inside = [(part, box - [5.0, 5.0, 0.0]) for part, box in boxes]
+        assert assert_on_beds(inside, (145, 215)) == 1
+
+
 @pytest.mark.parametrize('bed, plates', [((250, 250, 250), 1), ((145, 215, 250), 2)])
 def test_parts_lie_on_beds_and_not_on_each_other(bed, plates, printed):
     """Of the puppy; on the narrow bed its trunk lies turned."""
@@ -85,7 +95,8 @@ def test_what_is_larger_than_the_bed_has_a_plate_of_its_own(printed):
     assert assert_on_beds(own, (220, 220)) == 2 and (made.folder / 'plate_2.3mf').is_file()
 
 
-def test_what_is_as_large_as_the_bed_says_that_nothing_is_left():
+def test_what_leaves_no_margin_does_not_fit():
+    """Of a bed of 220 mm, with the default margin of 4 mm and with none."""
     shape = Manifold.cube((220, 60, 20))
     solid = SimpleNamespace(shape=shape, density=1240.0)
     lying = lying_on(shape, np.array([0.0, 0.0, -1.0]))
@@ -93,12 +104,18 @@ def test_what_is_as_large_as_the_bed_says_that_nothing_is_left():
         name='it', number=1, count=1, solid=solid, lying=lying, mesh=mesh_of(shape)
     )
     (check,) = check_bed([part], parts.PartOptions())
-    assert check.passed and '0.0 mm left at a side' in check.where
+    assert not check.passed and '0.0 mm left at a side' in check.where
+    assert '4 mm left free at each side' in check.limit and '--margin' in check.remedy
+    (check,) = check_bed([part], parts.PartOptions(bed=(200, 200, 250)))
+    assert not check.passed and '--margin' not in check.remedy
+    for fitting in (parts.PartOptions(margin=0.0), parts.PartOptions(bed=(228, 228, 250))):
+        (check,) = check_bed([part], fitting)
+        assert check.passed and not check.remedy
     wall = parts.Check('it', 'wall', True, 20.0, 'mm', 'at least 1.2 mm')
     told = [prints_markdown('it', [part], [wall], parts.PartOptions(bed=(x, x, 250)))
-            for x in (220.0, 224.0, 240.0)]
-    assert '| yes, 0.0 mm left at a side |' in told[0]
-    assert '| yes, 2.0 mm left at a side |' in told[1]
+            for x in (200.0, 224.0, 228.0)]
+    assert '| NO |' in told[0] and '| fits 200.0 x 200.0 x 250.0 mm, 4 mm left free |' in told[0]
+    assert '| NO, 2.0 mm left at a side |' in told[1]
     assert '| yes |' in told[2]
     (alone,) = plate_files('it', [part], (220, 220)).values()
     assert assert_on_beds(boxes_of(alone), (220, 220)) == 1

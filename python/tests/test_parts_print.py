@@ -51,7 +51,7 @@ def test_overhang_and_support_are_those_of_a_table_on_one_leg():
     assert standing.contact == pytest.approx(4 * 20)
     assert standing.overhang == pytest.approx(36 * 20)
     assert standing.support == pytest.approx(0.15 * 36 * 20 * 16)
-    assert standing.seconds == pytest.approx((TABLE.volume() + standing.support) / 8 + 3 * 100)
+    assert standing.seconds == pytest.approx((TABLE.volume() + standing.support) / 4 + 3 * 100)
     assert sorted(standing.size) == pytest.approx([20, 20, 40])
     best = best_lying(TABLE)
     assert best.overhang == 0 and best.down[2] == pytest.approx(1), 'on its top'
@@ -101,12 +101,18 @@ def test_stl_lies_as_the_sheet_says(made):
 def test_a_part_that_is_larger_than_the_bed_fails(dog, tmp_path):
     text = dog.read_text(encoding='utf-8')
     own = tmp_path / 'own.xml'
-    own.write_text(text.replace('"bed 0.22 0.22 m"', '"bed 0.06 0.07 m"'), encoding='utf-8')
+    told = '"bed 0.22 0.22 m margin 0.004 m"'
+    assert told in text
+    own.write_text(text.replace(told, '"bed 0.06 0.07 m margin 0.002 m"'), encoding='utf-8')
     found = [c for c in parts.make(own, tmp_path / 'out').checks if c.name == 'size on the bed']
-    assert {c.limit for c in found} == {'in 60.0 x 70.0 x 250.0 mm'} and not found[-1].passed
-    own.write_text(text.replace('"bed 0.22 0.22 m"', '"bed 0.22 m"'), encoding='utf-8')
-    with pytest.raises(InputError, match='text legwright_print: '):
-        parts.make(own, tmp_path / 'out')
+    limit = 'in 60.0 x 70.0 x 250.0 mm, 2 mm left free at each side'
+    assert {c.limit for c in found} == {limit} and not found[-1].passed
+    own.write_text(text.replace(told, '"bed 0.22 0.22 m"'), encoding='utf-8')
+    assert read_built(own).margin is None, 'as older programs wrote it'
+    for wrong in ('"bed 0.22 m"', '"bed 0.22 0.22 m margin -1 m"', '"bed 0.22 0.22 m margin 4 mm"'):
+        own.write_text(text.replace(told, wrong), encoding='utf-8')
+        with pytest.raises(InputError, match='text legwright_print: '):
+            parts.make(own, tmp_path / 'out')
     small = parts.make(dog, tmp_path / 'out', parts.PartOptions(bed=(60, 60, 60)))
     failed = {check.name for check in small.checks if not check.passed}
     assert failed == {'size on the bed'} and '| NO |' in (tmp_path / 'out/prints.md').read_text()

@@ -138,6 +138,12 @@ class AssemblyReader {
     TaskTable print = table(toml, "print");
     out_.print = PrintLimits{};
     if (const auto bed = print.numbers("bed")) out_.print->bed = {(*bed)[0], (*bed)[1]};
+    out_.print->margin = print.number("margin").value_or(out_.print->margin);
+    if (out_.print->room().minCoeff() <= 0.0)
+      refuse(print, print.has("margin") ? "margin" : "bed",
+             fmt::format("a margin of {} m at each side of a bed of {} x {} m leaves no room: give "
+                         "a margin of a few millimetres, as 0.004, on a bed of [0.22, 0.22]",
+                         out_.print->margin, out_.print->bed.x(), out_.print->bed.y()));
     out_.print->turn = print.number("turn").value_or(out_.print->turn);
     print.finish();
   }

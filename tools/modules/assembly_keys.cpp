@@ -54,6 +54,8 @@ std::vector<TaskKey> keys_of_the_assembly() {
           "print.bed", {0.0, 10.0, true, false, "m"}, 2, "`[0.22, 0.22]`", "[0.18, 0.18]",
           "Of the printer. `[print]`, also an empty one, gives what may change "
           "bounds within which parts fit: lengths get narrower ones, axes stay but for `turn`."),
+      number_key("print.margin", {0.0, 1.0, false, false, "m"}, "0.004", "0.006",
+                 "That parts leave free at each side of the bed, as for a skirt, a brim or clips."),
       number_key(
           "print.turn", {0.0, 1.0, false, false, "rad"}, "0", "0.5",
           "How far a design may turn the axis of a joint, and with it its servo, either way; "

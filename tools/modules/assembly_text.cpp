@@ -100,6 +100,7 @@ class AssemblyText {
     const Eigen::Vector2d& bed = assembly_.print->bed;
     if (bed != PrintLimits{}.bed)
       line("bed", fmt::format("[{}, {}]", format_number(bed.x()), format_number(bed.y())));
+    number_unless("margin", assembly_.print->margin, PrintLimits{}.margin);
     number_unless("turn", assembly_.print->turn, PrintLimits{}.turn);
   }
 

@@ -33,6 +33,7 @@ constexpr std::array kHandedOn{
     HandedOn{"--press", "by how much a foot's socket is narrower than its peg, mm; default: 0.1"},
     HandedOn{"--bed",
              "of the printer, mm; default: that of [print] in its assembly, else 220x220x250"},
+    HandedOn{"--margin", "left free at each side of the bed, mm; default: that of [print], else 4"},
 };
 
 struct PartsOptions {

@@ -23,6 +23,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
     for name in ('fit', 'wall', 'gap', 'strength', 'safety', 'press'):
         parser.add_argument(f'--{name}', type=float, default=getattr(PartOptions, name))
     parser.add_argument('--bed', help="in mm, 220x220x250; default: the robot's")
+    parser.add_argument('--margin', type=float, help="of the bed, in mm; default: the robot's")
     parser.add_argument('--step', action='store_true', help='each part as STEP, too')
     parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
     parser.add_argument('--json', action='store_true', help='print checks.json')
@@ -43,6 +44,7 @@ def _options(words: argparse.Namespace) -> PartOptions:
         words.safety,
         words.press,
         words.step,
+        words.margin,
     )
 
 

@@ -180,7 +180,8 @@ def make(
     )
     check_place(place)
     built = read_built(robot_file(path))
-    options = replace(options, bed=options.bed_for(built.bed))
+    bed, margin = options.bed_for(built.bed), options.margin_for(built.margin)
+    options = replace(options, bed=bed, margin=margin)
     use = _use_of(built, path)
     parts = numbered_parts(
         built,
@@ -194,7 +195,7 @@ def make(
     if options.step:
         files |= {f'{part.name}.step': step_bytes(part.name, part.mesh) for part in parts}
     files |= _feet(parts, options.press)
-    files |= plate_files(built.name, parts, options.bed_for(built.bed))
+    files |= plate_files(built.name, parts, bed, margin)
     files['bom.csv'] = bill_csv(rows).encode()
     files['prints.md'] = prints_markdown(built.name, parts, checks, options).encode()
     numbers = {row.key: number for number, row in enumerate(rows, 1)}

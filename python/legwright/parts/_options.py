@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-_BED, _HIGH = (0.22, 0.22), 250.0  # [m], [mm]
+_BED, _HIGH, _MARGIN = (0.22, 0.22), 250.0, 0.004  # [m], [mm], [m]
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,9 @@ class PartOptions:
     """By how much a foot's socket is narrower than its peg, across [mm]; negative is play."""
     step: bool = False
     """Whether parts are written as STEP, too."""
+    margin: float | None = None
+    """What parts leave free at each side of the bed, for a skirt, a brim or clips [mm]; None: that
+    of [print] in the robot's assembly, else 4."""
 
     def bed_for(self, own: tuple[float, float] | None) -> tuple[float, float, float]:
         """The bed [mm]. @param own the robot's [m]"""
@@ -35,6 +38,10 @@ class PartOptions:
             return self.bed
         wide, deep = own or _BED
         return 1e3 * wide, 1e3 * deep, _HIGH
+
+    def margin_for(self, own: float | None) -> float:
+        """What is left free at each side of the bed [mm]. @param own the robot's [m]"""
+        return self.margin if self.margin is not None else 1e3 * (_MARGIN if own is None else own)
 
     def faults(self) -> list[str]:
         """What is wrong with them."""
@@ -49,6 +56,8 @@ class PartOptions:
             pass
         elif len(self.bed) != 3 or not all(1 <= side <= 10000 for side in self.bed):
             out.append(f'bed is {self.bed}; expected three sizes in mm from 1 to 10000')
+        if self.margin is not None and not 0 <= self.margin <= 1000:
+            out.append(f'margin is {self.margin:g}; expected 0 to 1000')
         if not 0 < self.safety <= 100:
             out.append(f'safety is {self.safety:g}; expected more than 0, at most 100')
         return out

@@ -73,7 +73,7 @@ class _Packing:
 
 
 def _packed(parts: Sequence[Part], bed: Sequence[float]) -> list[_Copy]:
-    """All copies; what is larger than the bed has a plate of its own."""
+    """All copies; what is larger than the room on the bed has a plate of its own."""
     copies = []
     for number, part in enumerate(parts):
         x, y = (float(side) for side in part.mesh.vertices.max(axis=0)[:2])
@@ -112,12 +112,15 @@ def _items(parts: Sequence[Part], copies: Sequence[_Copy]) -> list[Item]:
     return items
 
 
-def plate_files(title: str, parts: Sequence[Part], bed: Sequence[float]) -> dict[str, bytes]:
+def plate_files(
+    title: str, parts: Sequence[Part], bed: Sequence[float], margin: float = 0.0
+) -> dict[str, bytes]:
     """all.3mf with all plates side by side; of more than one each in a file of its own, too.
 
     Parts have the lower corner of their box at the origin. @param bed of the printer [mm]
+    @param margin that is free at each side of it [mm]
     """
-    copies = _packed(parts, bed)
+    copies = _packed(parts, [side - 2 * margin for side in bed[:2]])
     widest = max((copy.size[0] for copy in copies), default=0.0)
     placed = _centred(copies, bed, max(STRIDE * bed[0], widest + SPACE))
     files = {'all.3mf': threemf_bytes(title, _items(parts, placed))}

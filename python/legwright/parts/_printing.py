@@ -19,7 +19,7 @@ _FIRM = 0.5  # of the square of its height: what touches less tips when the nozz
 _LOW = 0.5  # of the length: so high a part lies, higher ones stand
 _SUPPORT_FILL = 0.15  # of the room below an overhang
 _LAYER = 0.2  # [mm]
-_FLOW = 8.0  # [mm3/s]
+_FLOW = 4.0  # [mm3/s], filled, as a slicer with its own defaults came to
 _LAYER_CHANGE = 3.0  # [s]
 
 
@@ -38,7 +38,7 @@ class Lying:
     support: float
     """Volume of support [mm3]: the room below overhangs down to the bed, filled by 15 %."""
     seconds: float
-    """(volume + support) / 8 mm3/s, and 3 s for each layer of 0.2 mm."""
+    """(volume + support) / 4 mm3/s, and 3 s for each layer of 0.2 mm."""
 
     @property
     def down(self) -> Array:
@@ -51,10 +51,10 @@ class Lying:
         least = max(_LEAST_CONTACT * self.size[0] * self.size[1], _FIRM * self.size[2] ** 2)
         return bool(self.contact >= least)
 
-    def fits(self, bed: Sequence[float]) -> bool:
-        """Whether the box fits the bed, turned by a quarter if need be."""
+    def fits(self, bed: Sequence[float], margin: float = 0.0) -> bool:
+        """Whether the box fits the bed with that margin, turned by a quarter if need be."""
         size = self.size - 1e-6
-        flat, room = sorted(size[:2]), sorted(bed[:2])
+        flat, room = sorted(size[:2]), sorted(side - 2 * margin for side in bed[:2])
         return bool(flat[0] <= room[0] and flat[1] <= room[1] and size[2] <= bed[2])
 
     def room(self, bed: Sequence[float]) -> float:

@@ -10,7 +10,8 @@ from legwright.parts._shapes import MM
 from legwright.parts._solids import Part
 from legwright.parts._tables import markdown
 
-_SKIRT = 5.0  # [mm] at each side: what a skirt or brim and the bed's clips may need
+_CURE = 'a larger printer (--bed), or a smaller upper bound of that length'
+_CURE_OF_MARGIN = '; a printer that needs no skirt has a smaller margin (--margin)'
 _RULES = """
 Sizes are of the box of a part as its STL lies, which is how it is to be printed. Of the flat sides
 of its hull on which it stands firm that side is down which leaves the least area looking down by
@@ -19,10 +20,10 @@ height; where none does, that side is down which touches most by the square of i
 part is better printed with a brim. Sides on which the part would be higher than half its length
 come last, as layers across a part are where it breaks.
 Wall is the least thickness that the checks found. Support is 15 % of the room between such areas
-and the bed. Time is volume and support by 8 mm³/s and 3 s for each layer of 0.2 mm: a rule to
+and the bed. Time is volume and support by 4 mm³/s and 3 s for each layer of 0.2 mm: a rule to
 compare parts by, no slicer's figure. Mass is of part and support, filled, at the density that the
-robot was designed with. What fits has no margin but what is told beside it: skirt, brim and clips
-of the bed need some, too.
+robot was designed with. What fits leaves that margin at each side of the bed, where skirt, brim and
+clips are.
 """
 
 
@@ -30,12 +31,19 @@ def _sizes(values: Sequence[float]) -> str:
     return ' x '.join(f'{value:.1f}' for value in values)
 
 
-def _fits(part: Part, bed: Sequence[float]) -> str:
-    """Whether it fits, and what is left beside it where that is little."""
+def _bed_words(options: PartOptions) -> str:
+    """Of the bed and its margin [mm]."""
+    return f'{_sizes(options.bed_for(None))} mm, {options.margin_for(None):.3g} mm left free'
+
+
+def _fits(part: Part, options: PartOptions) -> str:
+    """Whether it fits, and what is left beside it where the margin alone is too little."""
+    bed = options.bed_for(None)
+    if part.lying.fits(bed, options.margin_for(None)):
+        return 'yes'
     if not part.lying.fits(bed):
         return 'NO'
-    room = abs(part.lying.room(bed))
-    return 'yes' if room >= _SKIRT else f'yes, {room:.1f} mm left at a side'
+    return f'NO, {abs(part.lying.room(bed)):.1f} mm left at a side'
 
 
 def _direction(part: Part) -> str:
@@ -83,7 +91,7 @@ def prints_markdown(
                 f'{lying.support:.0f}',
                 f'{_grams(part):.1f}',
                 _minutes(lying.seconds),
-                _fits(part, options.bed_for(None)),
+                _fits(part, options),
             ]
         )
     head = [
@@ -98,7 +106,7 @@ def prints_markdown(
         'support, mm3',
         'g each',
         'min each',
-        f'fits {_sizes(options.bed_for(None))}',
+        f'fits {_bed_words(options)}',
     ]
     return (
         f'# {name}: print sheet\n\n{markdown(head, rows)}\n'
@@ -107,14 +115,16 @@ def prints_markdown(
 
 
 def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
-    """Each part on the bed as it lies."""
+    """Each part on the bed as it lies, within the margin."""
+    bed = options.bed_for(None)
     out = []
     for part in parts:
-        good = part.lying.fits(options.bed_for(None))
+        good = part.lying.fits(bed, options.margin_for(None))
         largest = float(max(part.lying.size))
-        where = _sizes(part.lying.size) + ' mm'
-        if good:
-            where += f', {abs(part.lying.room(options.bed_for(None))):.1f} mm left at a side'
+        where, cure = _sizes(part.lying.size) + ' mm', _CURE
+        if part.lying.fits(bed):
+            where += f', {abs(part.lying.room(bed)):.1f} mm left at a side'
+            cure += _CURE_OF_MARGIN
         out.append(
             Check(
                 part.name,
@@ -122,11 +132,9 @@ def check_bed(parts: Sequence[Part], options: PartOptions) -> list[Check]:
                 good,
                 largest,
                 'mm',
-                f'in {_sizes(options.bed_for(None))} mm',
+                f'in {_bed_words(options)} at each side',
                 where,
-                ''
-                if good
-                else 'a larger printer (--bed), or a smaller upper bound of that length',
+                '' if good else cure,
             )
         )
     return out

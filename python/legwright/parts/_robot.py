@@ -80,6 +80,8 @@ class BuiltRobot:
     """That have connectors, in the order of the file."""
     bed: tuple[float, float] | None = None
     """That it was built for [m], if for any."""
+    margin: float | None = None
+    """That is left free at each side of it [m], where the file tells."""
 
 
 _UNTURNED = 1e-6  # of a quaternion's numbers, and [rad]
@@ -125,8 +127,8 @@ class _Reader:
         if len(trunks) != 1:
             raise self._error('', f'has {len(trunks)} modules of the kind trunk; expected one')
         name = model.names[: model.names.index(b'\0')].decode() or self._file.stem
-        bed = self._words.bed
-        return BuiltRobot(self._file, name, model, trunks[0].body, modules, links, bed)
+        bed, margin = self._words.bed, self._words.margin
+        return BuiltRobot(self._file, name, model, trunks[0].body, modules, links, bed, margin)
 
     def _error(self, where: str, message: str) -> InputError:
         text = f'{self._file}: {where}: {message}' if where else f'{self._file}: {message}'

@@ -71,6 +71,8 @@ class RobotWords:
     connectors: tuple[ConnectorWords, ...]
     bed: tuple[float, float] | None
     """That [print] in its assembly gave [m]; None without [print]."""
+    margin: float | None
+    """That it leaves free at each side of the bed [m]; None where it does not tell."""
 
 
 def _numbers(words: str) -> Array:
@@ -134,12 +136,20 @@ def _connector(name: str, data: str, meshes: dict[str, str]) -> ConnectorWords:
     return ConnectorWords(name, float(density), corners.reshape(-1, 3))
 
 
-def _bed(data: str) -> tuple[float, float]:
-    word, *sides, unit = data.split()
+def _bed(data: str) -> tuple[tuple[float, float], float | None]:
+    """Its sides, and the margin: files of older programs have none."""
+    first, _, rest = data.partition(' margin ')
+    word, *sides, unit = first.split()
     found = _numbers(' '.join(sides))
     if word != 'bed' or unit != 'm' or found.size != 2 or not np.all(found > 0):
         raise ValueError(data)
-    return float(found[0]), float(found[1])
+    if not rest:
+        return (float(found[0]), float(found[1])), None
+    value, unit = rest.split()
+    margin = float(_numbers(value)[0])
+    if unit != 'm' or margin < 0:
+        raise ValueError(data)
+    return (float(found[0]), float(found[1])), margin
 
 
 def _refuse_linear(file: Path, modules: list[ModuleWords]) -> None:
@@ -175,11 +185,12 @@ def read_words(file: Path) -> RobotWords:
     connectors: list[ConnectorWords] = []
     wrong: list[InputError] = []
     bed: tuple[float, float] | None = None
+    margin: float | None = None
     for text in root.iterfind('./custom/text'):
         name, data = text.get('name', ''), text.get('data', '')
         try:
             if name == _PRINT:
-                bed = _bed(data)
+                bed, margin = _bed(data)
             elif name.startswith(MODULE):
                 modules.append(_module(name.removeprefix(MODULE), data))
             elif name.startswith(CONNECTOR):
@@ -203,4 +214,4 @@ def read_words(file: Path) -> RobotWords:
             'it anew from its assembly, and optimize that'
         )
         raise InputError(f'{file}: {message}', str(file), 0, '', message)
-    return RobotWords(tuple(modules), tuple(connectors), bed)
+    return RobotWords(tuple(modules), tuple(connectors), bed, margin)

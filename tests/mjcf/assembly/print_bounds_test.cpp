@@ -127,7 +127,7 @@ TEST(PrintBounds, OfALinkLetItsPartLieOnTheBed) {
   const DesignParameter& as_proposed = parameter(free, name);
   const double bed = 0.3 * span_of_thigh(*model_at(free, name, as_proposed.upper)) +
                      0.7 * span_of_thigh(*model_at(free, name, as_proposed.initial));
-  const BuiltRobot built = build_robot(printed_dog({1.0, bed}), "dog.xml");
+  const BuiltRobot built = build_robot(printed_dog({1.0, bed + 0.008}, 0.004), "dog.xml");
   const double upper = parameter(built, name).upper;
   EXPECT_LT(upper, as_proposed.upper);
   EXPECT_GT(upper, as_proposed.initial);
@@ -165,11 +165,14 @@ TEST(PrintBounds, OfTheTrunkLetItLieOnTheBedAndKeepItsServosApart) {
   EXPECT_LE(parameter(stays, "body_length").upper, 0.18) << "larger than the bed as drawn";
   EXPECT_LT(parameter(stays, "body_length").lower, 0.18);
 
-  const auto bounds = [](const Eigen::Vector2d& bed) {
-    const BuiltRobot built = build_robot(printed_dog(bed), "dog.xml");
+  const auto bounds = [](const Eigen::Vector2d& bed, double margin) {
+    const BuiltRobot built = build_robot(printed_dog(bed, margin), "dog.xml");
     return std::pair(parameter(built, "body_length").upper, parameter(built, "body_width").upper);
   };
-  EXPECT_EQ(bounds({0.4, drawn + 0.004}), bounds({drawn + 0.004, 0.4}));
+  EXPECT_EQ(bounds({0.4, drawn + 0.004}, 0.0), bounds({drawn + 0.004, 0.4}, 0.0));
+
+  EXPECT_EQ(bounds({0.4, drawn + 0.004}, 0.0), bounds({0.41, drawn + 0.014}, 0.005))
+      << "less the margin at each side";
 
   Assembly near = printed_dog({1.0, 1.0});
   near.limbs[0].hip.x() = 0.01475;  // servos of front and hind legs are 1.5 mm apart
@@ -177,6 +180,16 @@ TEST(PrintBounds, OfTheTrunkLetItLieOnTheBedAndKeepItsServosApart) {
   near.limbs[0].joints[0].roll = 0.5 * std::numbers::pi;
   const Proposal as_drawn{"body_length", 0.0295, 0.028, 0.031, "m", "stretch x: trunk", ""};
   EXPECT_NEAR(print_bounds(near, {as_drawn}).proposals.at(0).lower, 0.029, 2e-6);
+}
+
+/// What touches as drawn, or is into each other by less than is told, comes no nearer.
+TEST(PrintBounds, OfTheTrunkPushNoServoIntoABatteryThatItTouches) {
+  const Proposal width{"body_width", 0.14, 0.12, 0.16, "m", "stretch y: trunk", ""};
+  for (const double into : {-1e-3, 0.0, 2e-4}) {
+    Assembly dog = printed_dog({1.0, 1.0});
+    dog.parts[0].module.outline[0].size = {0.19, 0.072 + 2.0 * into, 0.02};  // hips at y = 0.036
+    EXPECT_NEAR(print_bounds(dog, {width}).proposals.at(0).lower, 0.14, 1e-5) << into;
+  }
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ inline Assembly short_dog() {
   return out;
 }
 
-inline Assembly printed_dog(const Eigen::Vector2d& bed = PrintLimits{}.bed) {
+inline Assembly printed_dog(const Eigen::Vector2d& bed = PrintLimits{}.bed, double margin = 0.0) {
   Assembly out = short_dog();
-  out.print = PrintLimits{bed};
+  out.print = PrintLimits{bed, 0.0, margin};
   return out;
 }
 

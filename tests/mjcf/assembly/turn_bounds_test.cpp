@@ -142,7 +142,8 @@ TEST(TurnBounds, AreTold) {
   EXPECT_TRUE(has(built.notes, "front_hip_link_length 0.0"));
   EXPECT_TRUE(has(built.notes, "hind_knee_axis_roll -"));
   EXPECT_EQ(build_robot(ranged_dog(), "dog.xml").xml, built.xml) << "same input, same bytes";
-  EXPECT_NE(built.xml.find("<text name=\"legwright_print\" data=\"bed "), std::string::npos);
+  EXPECT_NE(built.xml.find("<text name=\"legwright_print\" data=\"bed 0.22 0.22 m margin 0 m\"/>"),
+            std::string::npos);
 }
 
 /// Servos of the dog turn by 2.5 rad either way unless the assembly says less.

@@ -147,6 +147,11 @@ TEST(AssemblyFile, MayBeToBePrinted) {
   EXPECT_FALSE(read("").print);
   EXPECT_EQ(read("[print]\n").print.value().bed, PrintLimits{}.bed);
   EXPECT_EQ(read("[print]\nbed = [0.18, 0.2]\n").print.value().bed, Eigen::Vector2d(0.18, 0.2));
+  EXPECT_EQ(read("[print]\n").print.value().margin, 0.004) << "free of a skirt";
+  EXPECT_EQ(read("[print]\nmargin = 0\n").print.value().margin, 0.0);
+  expect_complaint(
+      assembly_with("[link]\n", "[print]\nmargin = 0.11\n[link]\n"),
+      "print.margin: a margin of 0.11 m at each side of a bed of 0.22 x 0.22 m leaves no");
   expect_complaint(assembly_with("[link]\n", "[print]\nbed = [0.18]\n[link]\n"), "print.bed");
   expect_complaint(assembly_with("[link]\n", "[print]\nwall = 0.1\n[link]\n"), "print.wall");
   expect_complaint(

@@ -48,7 +48,7 @@ TEST(AssemblyText, EveryKeyIsWritten) {
   dog.link_wall = 0.004;
   dog.link_clearance = 0.002;
   dog.link_density = 1000.0;
-  dog.print = PrintLimits{{0.18, 0.2}, 0.4};
+  dog.print = PrintLimits{{0.18, 0.2}, 0.4, 0.006};
   dog.parts[0].position = {0.01, 0.0, 0.02};
   AssemblyJoint& knee = dog.limbs[0].joints[2];
   knee.servo = library().find("XM430-W350").module;
@@ -62,6 +62,7 @@ TEST(AssemblyText, EveryKeyIsWritten) {
   ASSERT_TRUE(again.print);
   EXPECT_EQ(again.print->bed, dog.print->bed);
   EXPECT_EQ(again.print->turn, 0.4);
+  EXPECT_EQ(again.print->margin, 0.006);
   dog.print = PrintLimits{};
   EXPECT_EQ(read_back(dog).print.value().bed, PrintLimits{}.bed) << "[print] with nothing in it";
   EXPECT_EQ(again.link_radius, 0.007);
