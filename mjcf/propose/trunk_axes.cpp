@@ -34,12 +34,13 @@ using Eigen::Vector3d;
 
 constexpr double kTrunkOnItsSide = 0.5;  // cosine of the tilt beyond which z is not up
 constexpr double kZIsUp = 0.99;          // cosine of the tilt up to which z is up
-constexpr double kOnePlane = 0.1;        // of the leg's length: feet that end at one height
-constexpr double kFarBelow = 0.15;       // of the leg's length: a foot below its hip
-constexpr std::size_t kThreeFeet = 3;    // have a plane
-constexpr double kToesBelow = 0.5;       // of what legs hang down: below hips of a lying robot
-constexpr double kNoTurn = 1e-9;         // a rounding error of a turn
-constexpr int kArm = 1;                  // chain of the legs' build may point up: an arm, a tail
+constexpr double kHingeUpright = 0.99, kHingeLevel = 0.1;  // cosines to z
+constexpr double kOnePlane = 0.1;      // of the leg's length: feet that end at one height
+constexpr double kFarBelow = 0.15;     // of the leg's length: a foot below its hip
+constexpr std::size_t kThreeFeet = 3;  // have a plane
+constexpr double kToesBelow = 0.5;     // of what legs hang down: below hips of a lying robot
+constexpr double kNoTurn = 1e-9;       // a rounding error of a turn
+constexpr int kArm = 1;                // chain of the legs' build may point up: an arm, a tail
 
 /// The turns that lead axes to axes, as w x y z in whole numbers.
 std::vector<std::array<int, 4>> axis_turns() {
@@ -108,7 +109,41 @@ class AxesFinder {
     return up_at_home.z() > kZIsUp ? askew(all) : std::nullopt;
   }
 
+  /// Legs that reach out to all sides, as drawn: what their first hinges turn about is up, or down.
+  std::optional<TrunkAxes> reaching_out() {
+    held_as(Quaterniond::Identity());
+    const std::size_t as_drawn = legs_of_one_build(model_, trunk_, *data_).size();
+    for (const Vector3d& up : {Vector3d(0, 1, 0), Vector3d(1, 0, 0)}) {
+      held_as(Quaterniond::FromTwoVectors(up, Vector3d::UnitZ()));
+      const std::vector<SearchedLeg> legs = legs_of_one_build(model_, trunk_, *data_);
+      if (legs.size() > kThreeFeet && legs.size() > as_drawn && reach_out(legs))
+        return TrunkAxes{
+            fmt::format(
+                "{} seems to be up in the frame of the trunk '{}': its {} legs reach out to "
+                "all sides, and their first hinges turn about that",
+                "xyz"[up.x() > 0.0 ? 0 : 1], name_of(model_, mjOBJ_BODY, trunk_), legs.size()),
+            turn_upright(up, Quaterniond::Identity()), false, false};
+    }
+    return std::nullopt;
+  }
+
  private:
+  /// Whether the first hinges of all legs are upright as the trunk is held, all others level, and
+  /// feet on all sides of their hips.
+  bool reach_out(const std::vector<SearchedLeg>& legs) const {
+    Vector3d sum = Vector3d::Zero();
+    for (const SearchedLeg& leg : legs) {
+      for (const int joint : leg.joints) {
+        const double upright = std::abs(vector_at(data_->xaxis, joint).z());
+        if (joint == leg.joints.front() ? upright < kHingeUpright : upright > kHingeLevel)
+          return false;
+      }
+      sum +=
+          (leg.touch(model_, *data_) - vector_at(data_->xanchor, leg.joints.front())).normalized();
+    }
+    return sum.norm() < 0.5 * static_cast<double>(legs.size());
+  }
+
   /// Two feet have no plane: one direction alone may be up, and all that can be looked at says so.
   /// @param as_drawn how far the feet are below the hips along z [m]: long toes alone may be
   std::optional<TrunkAxes> lying_on_two(double as_drawn) {
@@ -279,8 +314,12 @@ std::string with_frames(const std::string& edited, const std::filesystem::path& 
 
 }  // namespace
 
-std::optional<TrunkAxes> find_trunk_axes(const std::string& text,
-                                         const std::filesystem::path& file) {
+namespace {
+
+using Search = std::optional<TrunkAxes> (AxesFinder::*)();
+
+std::optional<TrunkAxes> search(const std::string& text, const std::filesystem::path& file,
+                                Search way) {
   try {
     const auto xml = load_xml(text, file);
     Refusals reasons;
@@ -288,10 +327,23 @@ std::optional<TrunkAxes> find_trunk_axes(const std::string& text,
     const ModelPointer model = compile_mjcf(xml->text, file);
     const int trunk = find_trunk(*xml, *model, reasons);
     if (trunk < 0 || !reasons.empty()) return std::nullopt;
-    return AxesFinder(*model, trunk, file).run();
+    AxesFinder finder(*model, trunk, file);
+    return (finder.*way)();
   } catch (const InputError&) {
     return std::nullopt;  // its reader tells all faults
   }
+}
+
+}  // namespace
+
+std::optional<TrunkAxes> find_trunk_axes(const std::string& text,
+                                         const std::filesystem::path& file) {
+  return search(text, file, &AxesFinder::run);
+}
+
+std::optional<TrunkAxes> find_lying_trunk_axes(const std::string& text,
+                                               const std::filesystem::path& file) {
+  return search(text, file, &AxesFinder::reaching_out);
 }
 
 RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes) {

@@ -28,6 +28,12 @@ struct TrunkAxes {
 /// @param xml of all files of the robot, whose main one is `file`
 std::optional<TrunkAxes> find_trunk_axes(const std::string& xml, const std::filesystem::path& file);
 
+/// Likewise for a robot that stands in no pose with z up: where four legs and more reach out to all
+/// sides square to x or y, with first hinges that turn about that, it is up. Whether it is not down
+/// nothing tells.
+std::optional<TrunkAxes> find_lying_trunk_axes(const std::string& xml,
+                                               const std::filesystem::path& file);
+
 /// The same robot with the frame of its trunk that is sought: what stands in the trunk but its free
 /// joint and <inertial> is put into a <frame>, <inertial> is turned, and the trunk and keyframes in
 /// which the file's own pose stands are turned back. All other bytes stay.

@@ -116,9 +116,29 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose,
           {}};
 }
 
-/// The robot with z up in its trunk's frame.
+/// The robot with the trunk's frame that is sought.
 RobotFiles upright(const RobotFiles& files, const std::optional<TrunkAxes>& axes) {
   return axes ? with_upright_axes(files, *axes) : files;
+}
+
+/// How a robot's trunk has to be turned, and the pose in which it stands then.
+struct TurnedRobot {
+  std::optional<TrunkAxes> axes;
+  RobotFiles files;  // turned so
+  FoundPose found;
+};
+
+TurnedRobot stood_up(const RobotFiles& drawn) {
+  std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
+  RobotFiles files = upright(drawn, axes);
+  FoundPose found = pose_of(files);
+  if (axes || found.none.empty()) return {std::move(axes), std::move(files), std::move(found)};
+  if (auto lying = find_lying_trunk_axes(drawn.text(), drawn.file())) {
+    RobotFiles turned = with_upright_axes(drawn, *lying);
+    if (FoundPose stands = pose_of(turned); stands.pose)
+      return {std::move(lying), std::move(turned), std::move(stands)};
+  }
+  return {std::nullopt, std::move(files), std::move(found)};
 }
 
 StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach,
@@ -127,18 +147,17 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
   MjcfOfUrdf made = reader.read();
   try {
     const RobotFiles drawn = RobotFiles::from_text(std::move(made.text), file, reach);
-    const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
-    const RobotFiles plain = upright(drawn, axes);
-    FoundPose found = pose_of(plain);
-    const RobotModel posed = told_of_pose(
-        found, plain, [&] { return parse_robot(in_pose(plain, found.pose).text(), file); });
+    const TurnedRobot turned = stood_up(drawn);
+    const RobotModel posed = told_of_pose(turned.found, turned.files, [&] {
+      return parse_robot(in_pose(turned.files, turned.found.pose).text(), file);
+    });
     made = reader.read(mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
-        study(upright(RobotFiles::from_text(std::move(made.text), file, reach), axes),
-              std::move(found.pose), forward);
+        study(upright(RobotFiles::from_text(std::move(made.text), file, reach), turned.axes),
+              turned.found.pose, forward);
     robot.text = std::move(text);
-    robot.axes = axes;
+    robot.axes = turned.axes;
     robot.of_urdf = true;
     robot.mended = std::move(made.notes);
     return robot;
@@ -158,13 +177,11 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const For
   const RobotFiles given = with_named_trunk(read, &trunk);
   const std::optional<SixJointRoot> root = find_six_joint_root(given.text(), file);
   const RobotFiles drawn = root ? with_free_root(given, *root) : given;
-  const std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
-  const RobotFiles files = upright(drawn, axes);
-  FoundPose found = pose_of(files);
-  StudiedRobot robot =
-      told_of_pose(found, files, [&] { return study(files, found.pose, forward); });
+  const TurnedRobot turned = stood_up(drawn);
+  StudiedRobot robot = told_of_pose(
+      turned.found, turned.files, [&] { return study(turned.files, turned.found.pose, forward); });
   robot.text = read.main_text();
-  robot.axes = axes;
+  robot.axes = turned.axes;
   robot.root = root;
   robot.trunk = trunk;
   return robot;

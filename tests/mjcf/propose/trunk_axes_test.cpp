@@ -137,6 +137,21 @@ TEST(TrunkAxes, AreFoundAlongEachDirection) {
   }
 }
 
+/// As a CAD program with y up draws legs that reach out: no pose of it stands with z up.
+TEST(TrunkAxes, OfLegsThatReachOutAreThoseOfTheirFirstHinges) {
+  std::string xml = drawn_flat(0.2);
+  EXPECT_FALSE(find_lying_trunk_axes(xml, kFile)) << "lies as it should";
+  xml.insert(xml.find("<freejoint/>") + 12, "<frame quat=\"1 -1 0 0\">");
+  xml.insert(xml.rfind("</body>"), "</frame>");
+  EXPECT_FALSE(axes_of(files_of(xml)));
+  const auto axes = find_lying_trunk_axes(xml, kFile);
+  ASSERT_TRUE(axes);
+  EXPECT_EQ(axes->why.find("y seems to be up"), 0U) << axes->why;
+  EXPECT_EQ(axes->frame, (std::array<double, 4>{1, 1, 0, 0}));
+  // Legs that hang side by side say nothing: their first hinges may turn about any axis.
+  EXPECT_FALSE(find_lying_trunk_axes(without_keyframe(test::strider_with_y_up()), kFile));
+}
+
 /// z is up, but x looks between two legs: what stands in the trunk is turned, the robot is not.
 TEST(TrunkAxes, ThatAreAskewToTheHipsAreTurnedAboutZ) {
   const char* const inertial = R"(pos="0 0 .01" quat="12 0 0 5" diaginertia=".00562 .0185 .02312")";
