@@ -11,6 +11,7 @@
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/text/size_limits.hpp"
+#include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/written_out.hpp"
 
 namespace legwright {
@@ -74,10 +75,29 @@ std::vector<AssetReference> asset_references(const XmlFile& xml) {
       std::string path = a->Value();
       if (folders.strips) path.erase(0, path.find_last_of("/\\") + 1);
       if (!folder.empty() && !fs::path(path).is_absolute()) path.insert(0, folder + "/");
-      out.push_back({&element, a->Name(), is_asset, std::move(path)});
+      const bool in_folder = !folder.empty() || folders.strips;
+      out.push_back({&element, a->Name(), is_asset, std::move(path), in_folder});
     }
   });
   return out;
+}
+
+std::string named_from_main_folder(const XmlFile& xml, const fs::path& folder,
+                                   const FileReach& reach,
+                                   const std::function<fs::path(std::size_t)>& beside) {
+  TextEdits edits(xml);
+  for (const AssetReference& reference : asset_references(xml)) {
+    const fs::path own = beside(xml.tag(*reference.element).begin);
+    const fs::path words = std::string(attribute(*reference.element, reference.attribute));
+    if (own.empty() || words.is_absolute() ||
+        !find_file(folder, reference.path, kMostBytes, reach).missing)
+      continue;
+    const FoundFile found = find_file(folder, (own / words).string(), kMostBytes, reach);
+    if (found.missing) continue;
+    const fs::path name = reference.in_folder ? fs::absolute(found.source) : found.path;
+    edits.set(*reference.element, reference.attribute, name.generic_string());
+  }
+  return edits.apply();
 }
 
 std::vector<FoundAsset> find_assets(const XmlFile& xml, const fs::path& folder,

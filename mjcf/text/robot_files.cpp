@@ -30,6 +30,14 @@ std::size_t begin_of_line(std::string_view text, int line) {
   return at;
 }
 
+/// The segment to which a byte of the one text belongs.
+const TextSegment& segment_at(const std::vector<TextSegment>& segments, std::size_t at) {
+  const TextSegment* own = &segments.front();
+  for (const TextSegment& segment : segments)
+    if (segment.begin <= at) own = &segment;
+  return *own;
+}
+
 int line_at(std::string_view text, std::size_t at) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
 }
@@ -75,6 +83,14 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file, const F
   out.text_ = std::move(spliced.text);
   out.segments_ = std::move(spliced.segments);
   out.mentions_ = std::move(spliced.mentions);
+  if (out.parts_.size() > 1)
+    out = out.at_their_lines([&] {
+      const auto beside = [&](std::size_t at) {
+        return out.parts_[segment_at(out.segments_, at).part].path.parent_path();
+      };
+      return out.with_attributes(
+          named_from_main_folder(*load_xml(out.text_, file), out.folder(), reach, beside));
+    });
   out.at_their_lines([&] {
     const auto xml = spliced.main ? std::move(spliced.main) : load_xml(out.text_, file);
     for (FoundAsset& asset : find_assets(*xml, out.folder(), reach)) {
@@ -168,12 +184,10 @@ RobotFiles RobotFiles::moved_to(const fs::path& file) const {
 
 RobotFiles::Place RobotFiles::place_of(int line) const {
   const std::size_t at = begin_of_line(text_, line);
-  const TextSegment* own = &segments_.front();
-  for (const TextSegment& segment : segments_)
-    if (segment.begin <= at) own = &segment;
-  const IncludedFile& part = parts_[own->part];
-  return {own->part == 0 ? file_ : source_of(folder(), part.path),
-          line_at(part.text, std::min(part.text.size(), own->source + (at - own->begin)))};
+  const TextSegment& own = segment_at(segments_, at);
+  const IncludedFile& part = parts_[own.part];
+  return {own.part == 0 ? file_ : source_of(folder(), part.path),
+          line_at(part.text, std::min(part.text.size(), own.source + (at - own.begin)))};
 }
 
 InputError RobotFiles::located(const InputError& error) const {

@@ -18,9 +18,9 @@ namespace legwright {
 /// or changes a robot works on that text; here its lines are led back to their files, and a changed
 /// text is taken apart into files again.
 ///
-/// Paths start in the folder of the main file, also those in included files; an <include> may start
-/// beside the file that it stands in, too. They may lead out of that folder (find_file()) as far as
-/// the reach goes; gathered() brings all files below it. Each file may be included once.
+/// Paths start in the folder of the main file, else beside the included file that has them, which
+/// text() and includes() then name from the main one. They may lead out of it (find_file()) as far
+/// as the reach goes; gathered() brings all files below it. Each file may be included once.
 class RobotFiles {
  public:
   RobotFiles() = default;

@@ -179,6 +179,49 @@ TEST(RobotFiles, SectionsOfSeveralFilesAreJoinedAsMujocoDoes) {
     EXPECT_EQ(stock->geom_friction[k], ours->geom_friction[k]) << k;
 }
 
+/// A mesh that is not in the main file's folder is looked for beside the included file that names
+/// it, and the main file's folder comes first. Copies hold it under its path.
+TEST(RobotFiles, MeshesBesideAnIncludedFileAreThoseThatMujocoReads) {
+  for (const std::string compiler : {"", "<compiler meshdir=\"shapes\"/>"}) {
+    const TemporaryFolder folder;
+    const fs::path main = folder.path() / "main.xml";
+    const std::string part =
+        "<mujocoinclude><asset>" + std::string(R"(<mesh file="near.stl"/><mesh file="both.stl"/>
+<mesh name="deep" file="deeper/far.stl"/></asset><worldbody><body><freejoint/>
+<geom type="mesh" mesh="near"/><geom type="mesh" mesh="both"/><geom type="mesh" mesh="deep"/>
+</body></worldbody></mujocoinclude>)");
+    put(main, "<mujoco>" + compiler + "<include file=\"parts/body.xml\"/></mujoco>");
+    put(folder.path() / "parts/body.xml", part);
+    put(folder.path() / "parts/near.stl", test::tetrahedron_stl(0.1f));
+    put(folder.path() / "parts/deeper/far.stl", test::tetrahedron_stl(0.2f));
+    put(folder.path() / "parts/both.stl", test::tetrahedron_stl(0.3f));
+    put(folder.path() / (compiler.empty() ? "both.stl" : "shapes/both.stl"),
+        test::tetrahedron_stl(0.4f));
+    const RobotFiles files = RobotFiles::read(main);
+    const ModelPointer stock = opened_by_mujoco(main);
+    ASSERT_TRUE(stock);
+    EXPECT_TRUE(
+        model_differences(*stock, *compile_mjcf(files.text(), main, MeshDetail::triangles), 0.0)
+            .empty());
+    EXPECT_EQ(
+        paths(files.assets()),
+        (std::vector<std::string>{compiler.empty() ? "both.stl" : "parts/deeper/far.stl",
+                                  compiler.empty() ? "parts/deeper/far.stl" : "parts/near.stl",
+                                  compiler.empty() ? "parts/near.stl" : "shapes/both.stl"}));
+    EXPECT_EQ(files.main_text(), test::read_file(main));
+    EXPECT_EQ(test::read_file(folder.path() / "parts/body.xml"), part);
+    const RobotFiles copy = files.gathered();
+    const TemporaryFolder other;
+    put(other.path() / "robot.xml", copy.main_text());
+    for (const IncludedFile& included : copy.includes())
+      put(other.path() / included.path, included.text);
+    for (const AssetFile& asset : copy.assets())
+      put(other.path() / asset.path, test::read_file(asset.source));
+    EXPECT_TRUE(
+        model_differences(*stock, *opened_by_mujoco(other.path() / "robot.xml"), 0.0).empty());
+  }
+}
+
 void expect_words(const std::string& message, const std::vector<std::string>& words) {
   for (const std::string& word : words)
     EXPECT_NE(message.find(word), std::string::npos) << word << " not in: " << message;
