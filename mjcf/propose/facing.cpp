@@ -12,6 +12,7 @@
 #include "mjcf/propose/eyes.hpp"
 #include "mjcf/propose/side_words.hpp"
 #include "mjcf/read/limbs.hpp"
+#include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 
 namespace legwright {
@@ -28,12 +29,9 @@ constexpr double kLonger = 1.5;        // times as far apart along one axis as a
 constexpr double kHingeAlong = 0.95;   // cosine between a hinge and an axis along which it is
 constexpr std::size_t kRows = 6;  // legs, of which two rows can be told from four feet of a square
 
-/// Where a limb hangs at the trunk or waist [m].
-Vector2d hip_of(const Morphology& morphology, const Limb& limb, const Eigen::VectorXd& s) {
-  const Link& first =
-      morphology
-          .links[static_cast<std::size_t>(limb.links.at(static_cast<std::size_t>(limb.shared)))];
-  return first.parent == 0 ? Vector2d(first.origin.at(s).head<2>()) : Vector2d(limb.home.head<2>());
+/// Where a limb hangs at the trunk or waist, in the trunk's frame, home pose [m].
+Vector2d hip_of(const Limb& limb, const PoseKinematics& home) {
+  return home.origin(limb.links.at(static_cast<std::size_t>(limb.shared))).head<2>();
 }
 
 /// What names tell of where a limb is: row_word() or lateral_word().
@@ -157,8 +155,9 @@ Facing facing_of(const RobotModel& robot) {
   const std::vector<Limb> limbs = find_limbs(robot.morphology, s);
   if (limbs.empty()) return {};
   Eigen::Matrix2Xd hips(2, static_cast<Eigen::Index>(limbs.size()));
+  const PoseKinematics home = home_pose(robot.morphology, GeometryAtDesign(robot.morphology, s));
   for (std::size_t k = 0; k < limbs.size(); ++k)
-    hips.col(static_cast<Eigen::Index>(k)) = hip_of(robot.morphology, limbs[k], s);
+    hips.col(static_cast<Eigen::Index>(k)) = hip_of(limbs[k], home);
   bool called = false;
   const Vector2d front = way_between(robot, limbs, hips, row_word, called);
   if (called) {

@@ -194,14 +194,14 @@ Vector3d SearchedLeg::ahead() const {
 }
 
 Vector3d SearchedLeg::below_hip() const {
-  Vector3d out = hip + (rest - hip).dot(side) * side;
+  Vector3d out = stands_beside() ? rest : hip + (rest - hip).dot(side) * side;
   out.z() = 0.0;
   return out;
 }
 
-bool SearchedLeg::sprawls() const {
-  return joints.size() > 2 && std::abs(axes.front().z()) > kParallel;
-}
+bool SearchedLeg::turns_level() const { return std::abs(axes.front().z()) > kParallel; }
+
+bool SearchedLeg::sprawls() const { return joints.size() > 2 && turns_level(); }
 
 Vector3d SearchedLeg::outwards() const {
   Vector3d out = hip - anchors.front();

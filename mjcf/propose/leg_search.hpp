@@ -30,10 +30,16 @@ struct SearchedLeg {
   Eigen::Vector3d touch(const mjModel& model, const mjData& data) const;
   /// Where the leg bends to, level: square to `side`, towards +x, of a leg that bends along y +y.
   Eigen::Vector3d ahead() const;
-  /// Below the hip in the plane in which the leg bends, as far beside it as at rest; height 0.
+  /// Below the hip in the plane in which the leg bends, as far beside it as at rest; of a leg that
+  /// stands_beside() where the foot is at rest; height 0.
   Eigen::Vector3d below_hip() const;
-  /// Whether its first hinge turns it about the vertical, as an insect's: it sprawls.
+  /// Whether its first hinge turns it about the vertical, as an insect's: then its knee bends it
+  /// outwards, not ahead.
+  bool turns_level() const;
+  /// The same of a leg with a knee that can go up: it sprawls.
   bool sprawls() const;
+  /// The same of a leg of two hinges, whose foot cannot come below its hip.
+  bool stands_beside() const { return turns_level() && joints.size() == 2; }
   /// Level, from that hinge to the one above the knee; zero where both are in one place.
   Eigen::Vector3d outwards() const;
   /// Finds reach, hip, rest, side, anchors and axes; angles in `data` are as before then.

@@ -88,7 +88,8 @@ class PoseFinder {
       out.words = "level, knees up and feet beside the hips: " + words_of_angles();
     else if (std::any_of(kBentTo.begin(), kBentTo.end(),
                          [&](double bent) { return stand_up(false, bent); }))
-      out.words = "level, feet below the hips: " + words_of_angles();
+      out.words = fmt::format("level, feet {} the hips: {}", stand_beside() ? "beside" : "below",
+                              words_of_angles());
     if (out.words.empty()) {
       none = fmt::format(
           "the file's pose is none to stand in ({}), and no other was found: within their ranges "
@@ -218,12 +219,17 @@ class PoseFinder {
     mj_kinematics(&model_, data_.get());
   }
 
-  /// The level direction in which all legs bend; zero where they bend in several.
+  /// The level direction in which all legs bend; zero where they bend in several, or outwards.
   Vector3d common_ahead() const {
     Vector3d out = legs_.front().ahead();
     for (const SearchedLeg& leg : legs_)
-      if (leg.ahead().dot(out) < kBendAlike) return Vector3d::Zero();
+      if (leg.turns_level() || leg.ahead().dot(out) < kBendAlike) return Vector3d::Zero();
     return out;
+  }
+
+  bool stand_beside() const {
+    return std::all_of(legs_.begin(), legs_.end(),
+                       [](const SearchedLeg& leg) { return leg.stands_beside(); });
   }
 
   /// The trunk's frame, or the middle of the hips where that is elsewhere.
@@ -274,7 +280,8 @@ class PoseFinder {
         Vector3d place = leg.below_hip() + shift;
         if (sprawling) place += kBesideHip * leg.reach * leg.outwards();
         place.z() = ground;
-        const Vector3d knee = sprawling ? Vector3d::UnitZ() : Vector3d(-leg.ahead());
+        Vector3d knee = Vector3d::UnitZ();
+        if (!sprawling) knee = leg.turns_level() ? Vector3d::Zero() : Vector3d(-leg.ahead());
         if (!stands_mirrored(k, along, ground) && !leg.put(model_, *data_, place, knee))
           return false;
         middle += leg.touch(model_, *data_) / static_cast<double>(legs_.size());
