@@ -224,10 +224,11 @@ class MorphologyBuilder {
           out_.capsule_pairs.push_back({a, b, pair.hidden});
       if (out_.capsule_pairs.size() > kMostCapsulePairs)
         throw InputError(xml.file.string(), 0, "",
-                         fmt::format("more than {} pairs of shapes of the trunk and of legs can "
-                                     "touch; let fewer of them collide: contype=\"0\" "
-                                     "conaffinity=\"0\" on the small ones, or <exclude>",
-                                     kMostCapsulePairs));
+                         fmt::format("{} pairs of shapes of the trunk and of legs can touch, "
+                                     "expected some thousand; let fewer of them collide: "
+                                     "contype=\"0\" conaffinity=\"0\" on the small ones, or "
+                                     "<exclude>",
+                                     found.pairs.size()));
     }
   }
 

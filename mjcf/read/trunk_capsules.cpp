@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 // A box's edges are covered where rounded ones would leave out more than half of that, share of the
 // leg.
 constexpr double kSharpEdge = 0.03;
-constexpr std::size_t kMany =
-    600;  // pairs of shapes; fewer have all 32 pairs of capsules that two meshes may
+// Pairs of shapes; fewer have all 32 pairs of capsules that two meshes may, or 8 of them, else 4.
+constexpr std::size_t kMany = 600, kVeryMany = 2500;
 constexpr double kFarthest = 10.0;  // to which distances are looked for, share of the leg
 constexpr double kRounding = 1e-6;  // of a distance of capsules [m]
 
@@ -42,8 +42,11 @@ class TrunkCapsuleBuilder {
     data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
     const auto pairs = trunk_collisions(model_, structure_);
     const bool many = pairs.size() > kMany;
+    const CoverDetail of_trunk = pairs.size() > kVeryMany ? CoverDetail::rough
+                                 : many                   ? CoverDetail::coarse
+                                                          : CoverDetail::edges;
     for (const auto& [trunk, limb] : pairs) {
-      cover(trunk, many ? CoverDetail::coarse : CoverDetail::edges);
+      cover(trunk, of_trunk);
       cover(limb, many ? CoverDetail::rough : CoverDetail::coarse);
       if (out_.of_geom.at(trunk).empty() || out_.of_geom.at(limb).empty()) continue;
       double hidden = 0.0;

@@ -14,7 +14,7 @@ namespace legwright {
 /// How closely a shape is covered: each capsule of a trunk meets each of a limb at each knot, and
 /// costs.
 enum class CoverDetail {
-  rough,   // limbs of a robot with very many shapes
+  rough,   // limbs of a robot with many shapes, and its trunk where these are very many
   coarse,  // limbs: thin, edges may be rounded
   edges,   // the trunk: thick, and limbs pass close by its edges
 };
