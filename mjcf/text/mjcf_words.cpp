@@ -176,6 +176,9 @@ std::string cure_of_refusal(std::string_view message) {
     return "write that mesh file anew, as a binary STL (MuJoCo reads none of text) or as OBJ";
   if (tells("at least 4 vertices required"))
     return "the mesh file has fewer that can be read; write it anew, as a binary STL or as OBJ";
+  if (tells("not found in "))
+    return "where that stands in a file that includes this one, as a scene with the floor does, "
+           "name that file in the place of this one; else mend the name";
   return "mend the file so that MuJoCo opens it without Legwright";
 }
 

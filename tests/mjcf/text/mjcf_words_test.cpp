@@ -103,5 +103,20 @@ TEST(CureOfRefusal, TellsWhatMeshesAreRead) {
   }
 }
 
+/// A robot whose contacts name the floor of the scene that includes it.
+TEST(MjcfWords, ANameThatIsElsewhereIsLookedForInTheFileAround) {
+  try {
+    compile_mjcf(
+        "<mujoco><worldbody><geom name=\"foot\" size=\"0.1\"/></worldbody><contact>"
+        "<pair geom1=\"foot\" geom2=\"floor\"/></contact></mujoco>",
+        "robot.xml");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a file that includes this one, as a scene"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace legwright
