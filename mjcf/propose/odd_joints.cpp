@@ -17,10 +17,11 @@
 namespace legwright {
 namespace {
 
-constexpr std::size_t kFewest = 3;   // legs among which one is the odd one
-constexpr double kLateral = 0.9;     // of an axis across the robot
-constexpr double kOneSided = 0.1;    // [rad]: ends of a range that differ less from a mirrored one
-constexpr double kSameRange = 1e-6;  // [rad]
+constexpr std::size_t kFewest = 3;    // legs among which one is the odd one
+constexpr double kLateral = 0.9;      // of an axis across the robot
+constexpr double kOneSided = 0.1;     // [rad]: ends of a range that differ less from a mirrored one
+constexpr double kSlowestGait = 2.0;  // [rad/s] that joints reach in any gait
+constexpr double kSameRange = 1e-6;   // [rad]
 
 /// The joints in one place of all legs of one build.
 struct JointsAlike {
@@ -143,6 +144,28 @@ std::string unlimited_torques(const RobotModel& robot) {
       "forcerange in the file",
       names.size() == 1 ? "a motor" : fmt::format("{} motors", names.size()), listed(names),
       names.size() == 1 ? "it" : "them");
+}
+
+std::string overdamped_joints(const RobotModel& robot) {
+  std::vector<std::string> names;
+  const Joint* most = nullptr;
+  double slowest = kSlowestGait;
+  for (const Link& link : robot.morphology.links) {
+    const Joint& joint = link.joint;
+    if (!(joint.damping > 0.0) || !std::isfinite(joint.torque_limit)) continue;
+    const double fastest = std::max(0.0, joint.torque_limit - joint.friction_loss) / joint.damping;
+    if (fastest < kSlowestGait) names.push_back(joint.name);
+    if (fastest >= slowest) continue;
+    slowest = fastest;
+    most = &joint;
+  }
+  if (!most) return "";
+  return fmt::format(
+      "damping takes what motors give ({}): that of joint '{}' is {:.3g} N m s/rad, so that its "
+      "motor of {:.3g} N m turns it at {:.2g} rad/s at most, and gaits turn joints faster; lower "
+      "the "
+      "damping, or write the motor's torque if that is not meant",
+      listed(names), most->name, most->damping, most->torque_limit, slowest);
 }
 
 }  // namespace legwright

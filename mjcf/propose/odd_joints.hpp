@@ -17,4 +17,8 @@ std::vector<std::string> odd_joints(const RobotModel& robot);
 /// The sentence on servos whose torque nobody limits; empty where all have limits.
 std::string unlimited_torques(const RobotModel& robot);
 
+/// The sentence on joints whose damping takes all that their motors give at a speed below that of
+/// any gait; empty where there are none.
+std::string overdamped_joints(const RobotModel& robot);
+
 }  // namespace legwright

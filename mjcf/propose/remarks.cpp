@@ -27,6 +27,8 @@ std::vector<std::string> remarks_on(const RobotModel& robot, const std::vector<L
   for (std::string& remark : odd_joints(robot)) out.push_back(std::move(remark));
   if (std::string remark = unlimited_torques(robot); !remark.empty())
     out.push_back(std::move(remark));
+  if (std::string remark = overdamped_joints(robot); !remark.empty())
+    out.push_back(std::move(remark));
   for (std::string& remark : doubtful_masses(robot)) out.push_back(std::move(remark));
   for (std::string& remark : overlapping_modules(robot)) out.push_back(std::move(remark));
   for (std::string& remark : overlapping_links(robot)) out.push_back(std::move(remark));

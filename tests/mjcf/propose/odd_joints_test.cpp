@@ -35,11 +35,13 @@ TEST(OddJoints, OfRobotsAsTheyAreThereAreNone) {
     if (file.parent_path().filename() == "lurcher") continue;  // has no pose to be read in
     EXPECT_TRUE(odd_joints(read_robot(file)).empty()) << file << odd_joints(read_robot(file))[0];
     EXPECT_EQ(unlimited_torques(read_robot(file)), "") << file;
+    EXPECT_EQ(overdamped_joints(read_robot(file)), "") << file;
   }
   for (const char* name : {"puppy", "hexapod", "biped", "quadruped", "piston_puppy"}) {
     const RobotModel robot = parse_robot(test::example_robot(name), name);
     EXPECT_TRUE(odd_joints(robot).empty()) << name;
     EXPECT_EQ(unlimited_torques(robot), "") << name;
+    EXPECT_EQ(overdamped_joints(robot), "") << name;
   }
 }
 
@@ -92,6 +94,18 @@ TEST(OddJoints, MotorsWithoutLimitAreTold) {
                        0),
             0u)
       << free;
+}
+
+TEST(OddJoints, DampingThatTakesAllThatMotorsGiveIsTold) {
+  const auto damped = [](const char* words) {
+    return overdamped_joints(parse_robot(dog({{"damping=\"0.01\"", words}}), "dog.xml"));
+  };
+  EXPECT_EQ(damped("damping=\"0.8\""), "") << "2 N m less dry friction turn it at 2.5 rad/s";
+  const std::string told = damped("damping=\"4\"");
+  EXPECT_NE(told.find("(FL_shoulder, FL_knee, FR_shoulder and 5 more): that of joint 'FL_shoulder' "
+                      "is 4 N m s/rad, so that its motor of 2 N m turns it at 0.5 rad/s at most"),
+            std::string::npos)
+      << told;
 }
 
 }  // namespace
