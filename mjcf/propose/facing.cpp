@@ -103,7 +103,7 @@ Facing facing_of_two(const std::vector<Limb>& limbs, const Eigen::Matrix2Xd& hip
   const Vector2d apart = (hips.col(0) - hips.col(1)).cwiseAbs();
   if (!(apart.x() > kTimesAlong * apart.y())) return {};
   const double reach = limbs[0].home.y() + limbs[1].home.y() - hips.row(1).sum();
-  return turned_to(Vector2d(0.0, reach < 0.0 ? -1.0 : 1.0),
+  return turned_to(Vector2d(0.0, reach < -kAhead * apart.x() ? -1.0 : 1.0),
                    fmt::format("its two hips stand {:.3g} m apart along x", apart.x()));
 }
 

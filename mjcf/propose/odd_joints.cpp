@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kFewest = 3;    // legs among which one is the odd one
 constexpr double kLateral = 0.9;      // of an axis across the robot
 constexpr double kOneSided = 0.1;     // [rad]: ends of a range that differ less from a mirrored one
-constexpr double kSlowestGait = 2.0;  // [rad/s] that joints reach in any gait
+constexpr double kSlowestGait = 2.0;  // [rad/s]: joints reach more in any gait
 constexpr double kSameRange = 1e-6;   // [rad]
 
 /// The joints in one place of all legs of one build.
@@ -146,26 +146,33 @@ std::string unlimited_torques(const RobotModel& robot) {
       names.size() == 1 ? "it" : "them");
 }
 
-std::string overdamped_joints(const RobotModel& robot) {
+std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit) {
   std::vector<std::string> names;
-  const Joint* most = nullptr;
+  std::string most;
   double slowest = kSlowestGait;
   for (const Link& link : robot.morphology.links) {
     const Joint& joint = link.joint;
-    if (!(joint.damping > 0.0) || !std::isfinite(joint.torque_limit)) continue;
-    const double fastest = std::max(0.0, joint.torque_limit - joint.friction_loss) / joint.damping;
+    const double torque = std::min(joint.torque_limit, limit.value_or(joint.torque_limit));
+    if (!(joint.damping > 0.0) || !std::isfinite(torque)) continue;
+    const double fastest = std::max(0.0, torque - joint.friction_loss) / joint.damping;
     if (fastest < kSlowestGait) names.push_back(joint.name);
     if (fastest >= slowest) continue;
     slowest = fastest;
-    most = &joint;
+    most = fmt::format(
+        "that of joint '{}' is {:.3g} N m s/rad, so that its motor of {:.3g} N m{} "
+        "turns it at {:.2g} rad/s at most",
+        joint.name, joint.damping, torque,
+        joint.friction_loss > 0.0
+            ? fmt::format(", less {:.3g} N m of dry friction,", joint.friction_loss)
+            : "",
+        fastest);
   }
-  if (!most) return "";
+  if (names.empty()) return "";
   return fmt::format(
-      "damping takes what motors give ({}): that of joint '{}' is {:.3g} N m s/rad, so that its "
-      "motor of {:.3g} N m turns it at {:.2g} rad/s at most, and gaits turn joints faster; lower "
-      "the "
-      "damping, or write the motor's torque if that is not meant",
-      listed(names), most->name, most->damping, most->torque_limit, slowest);
+      "damping leaves joints slower than any gait ({}): {}; lower the damping or, where the motor "
+      "is "
+      "stronger, raise its limit (forcerange)",
+      listed(names), most);
 }
 
 }  // namespace legwright

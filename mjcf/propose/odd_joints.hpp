@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ std::vector<std::string> odd_joints(const RobotModel& robot);
 std::string unlimited_torques(const RobotModel& robot);
 
 /// The sentence on joints whose damping takes all that their motors give at a speed below that of
-/// any gait; empty where there are none.
-std::string overdamped_joints(const RobotModel& robot);
+/// any gait; empty where there are none. @param limit of a task, on all motors [N m]
+std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit = {});
 
 }  // namespace legwright

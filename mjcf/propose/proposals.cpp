@@ -350,7 +350,7 @@ class ProposalBuilder {
     return "";
   }
 
-  /// Both ends of a linear actuator may move in the plane across the hinge, left and right alike.
+  /// Both ends of a linear actuator may move along x and z of their bodies, mirrored as drawn.
   void add_attachments(const LinearActuator& actuator) {
     const LinearActuator* twin = twin_of(actuator);
     if (twin && twin->joint < actuator.joint) return;  // told with the other side
@@ -363,8 +363,8 @@ class ProposalBuilder {
         const char* const axis = n == 0 ? "x" : "z";
         const double at = compiled_->site_pos[3 * site + n];
         const double most = std::max(kShortestMove, kAttachmentShare * std::abs(at));
-        // Links have frames of their own, whichever way the robot faces: places tell the mirror.
-        const bool turns = twin && n == 0 && at * compiled_->site_pos[3 * other + n] < 0.0;
+        const double both = twin ? at * compiled_->site_pos[3 * other + n] : 0.0;
+        const bool turns = both < 0.0 || (both == 0.0 && side() == Across::x);
         offer({fmt::format("{}{}{}_{}", row, row.empty() ? "" : "_", own, axis), at, at - most,
                at + most, "m",
                fmt::format(

@@ -360,13 +360,13 @@ RobotFiles with_upright_axes(const RobotFiles& files, const TrunkAxes& axes) {
   if (body == nullptr || (axes.stands && keys.size() != static_cast<std::size_t>(model->nkey)))
     throw InputError(
         files.file().string(), 0, fmt::format("body '{}'", name_of(*model, mjOBJ_BODY, trunk)),
-        fmt::format("{}; {} not in the main file, where init could turn it: put what stands in "
-                    "this body, but for its free joint and <inertial>, into <frame quat=\"{}\">…"
-                    "</frame>, turn <inertial> alike, and let its own orientation be that of an "
-                    "upright trunk, in keyframes too",
-                    axes.why + (axes.upright ? "" : "; expected z"),
-                    body == nullptr ? "the trunk is" : "its keyframes are",
-                    fmt::join(axes.frame, " ")));
+        fmt::format(
+            "{}; {} not in the main file, where init could turn it: put what stands in "
+            "this body, but for its free joint and <inertial>, into <frame quat=\"{}\">…"
+            "</frame>, turn <inertial> alike, and turn its own orientation back by as much, "
+            "in keyframes too",
+            axes.why + (axes.upright ? "" : "; expected z"),
+            body == nullptr ? "the trunk is" : "its keyframes are", fmt::join(axes.frame, " ")));
   const Quaterniond turn = turn_of(axes.frame);
   TextEdits edits(*xml);
   Quaterniond upright = quaternion_of(model->qpos0 + root + 3) * turn.conjugate();

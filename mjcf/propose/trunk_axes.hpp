@@ -10,7 +10,8 @@
 
 namespace legwright {
 
-/// A trunk whose frame has another axis than z up, as CAD programs draw it, or none ahead.
+/// A trunk whose frame has another axis than z up, as CAD programs draw it, or x and y that are
+/// askew to its hips.
 struct TrunkAxes {
   std::string why;              // with what is up, or by how much it is askew, in words
   std::array<double, 4> frame;  // of its axes in those sought: a quaternion w x y z, not normalised

@@ -23,14 +23,13 @@ bool is_free_joint(const XmlElement& element) {
 }
 
 const XmlElement* trunk_element(const XmlFile& xml) {
-  const XmlElement *first = nullptr, *trunk = nullptr;
+  const XmlElement* trunk = nullptr;
   for_each_element(xml.root(), [&](const XmlElement& element) {
     const XmlElement* const body = is_free_joint(element) ? element.Parent()->ToElement() : nullptr;
-    if (body == nullptr || !is_tag(*body, "body")) return;
-    if (first == nullptr) first = body;
-    if (trunk == nullptr && has_hinges(*body)) trunk = body;
+    if (trunk == nullptr && body != nullptr && is_tag(*body, "body") && has_hinges(*body))
+      trunk = body;
   });
-  return trunk ? trunk : first;
+  return trunk;
 }
 
 RobotFiles with_named_trunk(const RobotFiles& files, std::string* name) {

@@ -8,10 +8,11 @@
 
 namespace legwright {
 
+/// Whether an element is a free joint by its own words, not by those of a <default>.
 bool is_free_joint(const XmlElement& element);
 
-/// The body of a file that has the robot's free joint, as trunk_of() finds it in a model: the first
-/// with hinges below it, else the first. Nothing where an included file has it.
+/// The body of a file that has a free joint and hinges, or included files, below it, as trunk_of()
+/// finds it in a model. Nothing where an included file has it: what floats besides has no hinges.
 const XmlElement* trunk_element(const XmlFile& xml);
 
 /// A robot whose trunk has no name, called "trunk", or "trunk_2" where another body is.

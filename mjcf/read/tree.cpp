@@ -223,12 +223,13 @@ class MorphologyBuilder {
         for (int b = limb.first; b < limb.second; ++b)
           out_.capsule_pairs.push_back({a, b, pair.hidden});
       if (out_.capsule_pairs.size() > kMostCapsulePairs)
-        throw InputError(xml.file.string(), 0, "",
-                         fmt::format("{} pairs of shapes of the trunk and of legs can touch, "
-                                     "expected some thousand; let fewer of them collide: "
-                                     "contype=\"0\" conaffinity=\"0\" on the small ones, or "
-                                     "<exclude>",
-                                     found.pairs.size()));
+        throw InputError(
+            xml.file.string(), 0, "",
+            fmt::format("the {} pairs of shapes of the trunk and of legs that can "
+                        "touch are covered by more than {} pairs of capsules, the most "
+                        "that plans look at; let fewer shapes collide: contype=\"0\" "
+                        "conaffinity=\"0\" on the small ones, or <exclude>",
+                        found.pairs.size(), kMostCapsulePairs));
     }
   }
 

@@ -58,6 +58,8 @@ def test_gains_cycles_and_limits_are_those_asked_for(walk, tmp_path):
 
 
 def test_ctrl_c_ends_a_play_in_its_middle(walk):
+    # Jobs in the background of a shell are started with the signal ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     played = threading.Event()
 
     def interrupt():
@@ -72,6 +74,7 @@ def test_ctrl_c_ends_a_play_in_its_middle(walk):
     finally:
         played.set()
         thread.join()
+        signal.signal(signal.SIGINT, before)
 
 
 def test_what_cannot_be_asked_is_told(walk):

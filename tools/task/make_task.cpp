@@ -252,12 +252,13 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
                        (axes->upright ? "; ahead, left and right are along its axes"
                                       : "; plans and verdicts take z for up") +
                        ": `legwright init " + robot.file.filename().string() +
-                       " --write` turns the frame");
+                       " --write` turns the frame where that file holds the trunk");
   for (std::string& odd : odd_joints(robot)) warnings.push_back(std::move(odd));
   for (std::string& unlike : unlike_sides(robot)) warnings.push_back(std::move(unlike));
   if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
-  if (std::string why = overdamped_joints(robot); !why.empty()) warnings.push_back(std::move(why));
+  if (std::string why = overdamped_joints(robot, task.torque_limit); !why.empty())
+    warnings.push_back(std::move(why));
   for (std::string& overlap : overlapping_modules(robot)) warnings.push_back(std::move(overlap));
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));
   for (std::string& beside : beside_feet(robot)) warnings.push_back(std::move(beside));

@@ -29,7 +29,7 @@ struct InitOptions : ReadingOptions {
   bool write = false, json = false;
 };
 
-/// How the trunk's frame was turned upright.
+/// How the trunk's frame is turned.
 std::string axes_text(const StudiedRobot& robot, bool writes) {
   if (!robot.axes) return "";
   return fmt::format("turned   {}\n         what stands in it {} into <frame quat=\"{}\">{}\n",
@@ -145,6 +145,7 @@ Json to_json(const StudiedRobot& robot, const std::string& written, const std::s
           {"proposals", proposals},
           {"left_out", found.left_out},
           {"named_bodies", robot.named},
+          {"named_trunk", robot.trunk.empty() ? Json(nullptr) : Json(robot.trunk)},
           {"remarks", found.remarks},
           {"of_urdf", robot.of_urdf},
           {"mended", robot.mended},
@@ -228,8 +229,8 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
                        shell_word("runs/" + fs::path(task).stem().string()));
-  const bool adds =
-      written.empty() && (!found.proposals.empty() || robot.pose || robot.axes || robot.root);
+  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose || robot.axes ||
+                                        robot.root || !robot.trunk.empty());
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
@@ -267,7 +268,7 @@ void refuse_task_for_the_file_as_it_is(const InitOptions& options, const Studied
            "; add --write, which puts the pose that was found into the file as keyframe "
            "'legwright'");
   if (robot.axes)
-    refuse((robot.axes->upright ? ", in which it would not be told how the robot looks: "
+    refuse((robot.axes->upright ? ", in which ahead and sideways would be askew to its legs: "
                                 : ", in which the robot would lie on its side: ") +
            robot.axes->why + "; add --write, which turns the trunk's frame");
   if (robot.root)
@@ -355,7 +356,7 @@ void add_init(CLI::App& program, Action& action) {
       "eight, wave for others");
   verb->add_option("--forward", options->forward,
                    "axis of the trunk's frame that it looks along: +x, -x, +y, -y; default: by "
-                   "its names and hips");
+                   "names, hips, a camera or how legs swing");
   verb->add_flag("--json", options->json, "print one JSON document");
   verb->footer(
       "Prints the tree that was found (legs front to hind, mirror images side by side) and "

@@ -117,8 +117,17 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose,
 }
 
 /// The robot with the trunk's frame that is sought.
-RobotFiles upright(const RobotFiles& files, const std::optional<TrunkAxes>& axes) {
+RobotFiles in_axes(const RobotFiles& files, const std::optional<TrunkAxes>& axes) {
   return axes ? with_upright_axes(files, *axes) : files;
+}
+
+/// The same, or nothing where the main file does not hold what would be turned.
+std::optional<RobotFiles> turned_where_it_can_be(const RobotFiles& files, const TrunkAxes& axes) {
+  try {
+    return with_upright_axes(files, axes);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 /// How a robot's trunk has to be turned, and the pose in which it stands then.
@@ -126,19 +135,26 @@ struct TurnedRobot {
   std::optional<TrunkAxes> axes;
   RobotFiles files;  // turned so
   FoundPose found;
+  std::string left;  // what is told of a trunk that is left as it is
 };
 
 TurnedRobot stood_up(const RobotFiles& drawn) {
   std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
-  RobotFiles files = upright(drawn, axes);
-  FoundPose found = pose_of(files);
-  if (axes || found.none.empty()) return {std::move(axes), std::move(files), std::move(found)};
-  if (auto lying = find_lying_trunk_axes(drawn.text(), drawn.file())) {
-    RobotFiles turned = with_upright_axes(drawn, *lying);
-    if (FoundPose stands = pose_of(turned); stands.pose)
-      return {std::move(lying), std::move(turned), std::move(stands)};
+  std::string left;
+  if (axes && axes->upright && !turned_where_it_can_be(drawn, *axes)) {
+    left = axes->why +
+           "; ahead, left and right are along its axes, as the main file holds neither "
+           "the trunk nor all keyframes, which init would turn";
+    axes.reset();
   }
-  return {std::nullopt, std::move(files), std::move(found)};
+  RobotFiles files = in_axes(drawn, axes);
+  FoundPose found = pose_of(files);
+  if (!axes && !found.none.empty())
+    if (auto lying = find_lying_trunk_axes(drawn.text(), drawn.file()))
+      if (auto turned = turned_where_it_can_be(drawn, *lying))
+        if (FoundPose stands = pose_of(*turned); stands.pose)
+          return {std::move(lying), std::move(*turned), std::move(stands), ""};
+  return {std::move(axes), std::move(files), std::move(found), std::move(left)};
 }
 
 StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach& reach,
@@ -154,7 +170,7 @@ StudiedRobot study_urdf(std::string text, const fs::path& file, const FileReach&
     made = reader.read(mending_of(posed, made.without_moments));
     // Gains and exclusions are no part of where a robot stands.
     StudiedRobot robot =
-        study(upright(RobotFiles::from_text(std::move(made.text), file, reach), turned.axes),
+        study(in_axes(RobotFiles::from_text(std::move(made.text), file, reach), turned.axes),
               turned.found.pose, forward);
     robot.text = std::move(text);
     robot.axes = turned.axes;
@@ -182,6 +198,7 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const For
       turned.found, turned.files, [&] { return study(turned.files, turned.found.pose, forward); });
   robot.text = read.main_text();
   robot.axes = turned.axes;
+  if (!turned.left.empty()) robot.found.remarks.insert(robot.found.remarks.begin(), turned.left);
   robot.root = root;
   robot.trunk = trunk;
   return robot;

@@ -25,7 +25,7 @@ struct StudiedRobot {
   bool of_urdf = false;              // `files` hold the MJCF that was made of it
   std::vector<std::string> mended;   // on the way from it
   std::string trunk;                 // what it is called that had no name; else empty
-  std::optional<TrunkAxes> axes;     // of the file, where z is not up in its trunk's frame
+  std::optional<TrunkAxes> axes;     // of the file, where its trunk's frame is turned
   std::optional<SixJointRoot> root;  // that had the place of the free joint in `files`
 };
 

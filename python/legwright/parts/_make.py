@@ -181,6 +181,11 @@ def make(
     check_place(place)
     built = read_built(robot_file(path))
     bed, margin = options.bed_for(built.bed), options.margin_for(built.margin)
+    if min(bed[:2]) <= 2 * margin:
+        raise InputError(
+            f'a margin of {margin:g} mm at each side of a bed of {bed[0]:g} x {bed[1]:g} mm leaves '
+            'no room; give a margin of a few millimetres, as 4'
+        )
     options = replace(options, bed=bed, margin=margin)
     use = _use_of(built, path)
     parts = numbered_parts(

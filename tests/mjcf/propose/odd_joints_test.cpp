@@ -103,9 +103,13 @@ TEST(OddJoints, DampingThatTakesAllThatMotorsGiveIsTold) {
   EXPECT_EQ(damped("damping=\"0.8\""), "") << "2 N m less dry friction turn it at 2.5 rad/s";
   const std::string told = damped("damping=\"4\"");
   EXPECT_NE(told.find("(FL_shoulder, FL_knee, FR_shoulder and 5 more): that of joint 'FL_shoulder' "
-                      "is 4 N m s/rad, so that its motor of 2 N m turns it at 0.5 rad/s at most"),
+                      "is 4 N m s/rad, so that its motor of 2 N m, less 0.01 N m of dry friction, "
+                      "turns it at 0.5 rad/s at most"),
             std::string::npos)
       << told;
+  const RobotModel robot = parse_robot(dog({}), "dog.xml");
+  EXPECT_EQ(overdamped_joints(robot), "");
+  EXPECT_NE(overdamped_joints(robot, 0.02), "") << "a task may ask for weaker motors";
 }
 
 }  // namespace

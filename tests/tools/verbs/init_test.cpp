@@ -248,6 +248,30 @@ TEST_F(InitOfUrdf, ATrunkWithoutANameIsGivenOne) {
   EXPECT_EQ(call({"check", task_.string()}).code, 0);
 }
 
+/// A robot beside a ball, in the file that its scene includes.
+TEST_F(InitOfUrdf, WhatAnIncludedFileHasIsLeftAsItIs) {
+  const fs::path scene = folder_.path() / "around.xml";
+  write_file(scene,
+             "<mujoco><include file=\"" + robot_.filename().string() +
+                 "\"/><worldbody><body pos=\"1 0 .1\"><freejoint/><geom size=\".05\" mass=\".1\"/>"
+                 "</body></worldbody></mujoco>");
+  const auto without_keyframe = [](std::string xml) {
+    return xml.erase(xml.find("<keyframe>"), xml.find("</keyframe>") + 11 - xml.find("<keyframe>"));
+  };
+  write_file(robot_, without_keyframe(read_file(fs::path(test::source_dir()) /
+                                                "tests/robots/strider/robot.xml")));
+  const Outcome plain = call({"init", scene.string()});
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_FALSE(contains(plain.out, "named    the trunk")) << "the ball is none";
+  const char* const inertial = R"(pos="0 0 .01" quat="12 0 0 5" diaginertia=".00562 .0185 .02312")";
+  write_file(robot_, without_keyframe(test::strider_in_axes("12 0 0 5", inertial)));
+  const Outcome askew = call({"init", scene.string()});
+  EXPECT_EQ(askew.code, 0) << askew.err;
+  EXPECT_TRUE(contains(askew.out, "44.8 degrees about z")) << askew.out;
+  EXPECT_TRUE(contains(askew.out, "ahead, left and right are along its axes")) << askew.out;
+  EXPECT_EQ(call({"init", robot_.string(), "--write"}).code, 0) << "which is turned by itself";
+}
+
 TEST_F(InitOfUrdf, NoTaskIsWrittenForAnMjcfThatHasToBeTurnedFirst) {
   const std::string drawn = test::strider_with_y_up();
   write_file(robot_, drawn);

@@ -33,6 +33,7 @@ export function follow(tell, connection, heard) {
     };
     source.onerror = async () => {
       source.close();
+      connection(false, "");
       const why = await refusal();
       if (closed) return;
       connection(false, why);
@@ -51,7 +52,7 @@ export function follow(tell, connection, heard) {
 /** Why the server refuses a stream, which no browser tells; empty where it does not, or is away. */
 async function refusal() {
   try {
-    await get("/api/room");
+    await get("/api/room", AbortSignal.timeout(LONGEST_WAIT));
   } catch (error) {
     if (error.status) return error.words;
   }
