@@ -12,12 +12,15 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/files/unfinished_path.hpp"
 #include "tools/run/result_folder.hpp"
 
 namespace legwright {
@@ -117,6 +120,8 @@ RunLock::RunLock(const fs::path& run, Extent extent)
   const fs::path file = folder_ / kFile;
   constexpr int kTries = 1000;  // each but the first is a writer that went away meanwhile
   for (int n = 0;; ++n) {
+    std::optional<WholeChange> whole(
+        std::in_place);  // no signal between making and noting the file
     const int opened = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (opened < 0) throw std::system_error(errno, std::generic_category(), file.string());
     int locked = 0;
@@ -124,7 +129,10 @@ RunLock::RunLock(const fs::path& run, Extent extent)
     while (locked != 0 && errno == EINTR);
     const bool held = locked != 0 && errno == EWOULDBLOCK;
     if (is_same(opened, file) || n == kTries) {  // else it went away with whoever held it
-      if (held) refuse_second_writer(opened, run);
+      if (held) {
+        whole.reset();
+        refuse_second_writer(opened, run);
+      }
       descriptor_ = opened;
       file_.emplace(file);
       write_holder(opened, since_, "");
