@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mjcf/propose/side_words.hpp"
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
@@ -99,6 +98,17 @@ std::vector<Word> words_in(const std::string& name) {
   return out;
 }
 
+/// 1 where a word of a name is one of `these`, −1 where one is of `those`, 0 where neither or both.
+template <class Test>
+int word_of(const std::string& name, const Words& these, const Words& those, const Test& is_in) {
+  bool is_this = false, is_that = false;
+  for (const Word& word : words_in(name)) {
+    is_this = is_this || is_in(word, these);
+    is_that = is_that || is_in(word, those);
+  }
+  return is_this - is_that;
+}
+
 }  // namespace
 
 std::string without_side(const std::string& name) {
@@ -109,31 +119,14 @@ std::string without_side(const std::string& name) {
   return out;
 }
 
-namespace {
-
-/// 1 where `is_one` of a word of a name, −1 where `is_other`, 0 where neither or both.
-template <class Test>
-int word_of(const std::string& name, const Test& is_one, const Test& is_other) {
-  const std::vector<Word> words = words_in(name);
-  return std::any_of(words.begin(), words.end(), is_one) -
-         std::any_of(words.begin(), words.end(), is_other);
-}
-
-}  // namespace
-
 int row_word(const std::string& name) {
-  const auto in = [](const Words& words) {
-    return [&](const Word& word) { return word.is_in(words); };
-  };
-  return word_of(name, in(kFront), in(kHind));
+  return word_of(name, kFront, kHind,
+                 [](const Word& word, const Words& in) { return word.is_in(in); });
 }
 
-/// "LHip" is left; an F in such a place may be anything.
 int lateral_word(const std::string& name) {
-  const auto in = [](const Words& words) {
-    return [&](const Word& word) { return words.contains(word.low); };
-  };
-  return word_of(name, in(kLeft), in(kRight));
+  return word_of(name, kLeft, kRight,
+                 [](const Word& word, const Words& in) { return in.contains(word.low); });
 }
 
 }  // namespace legwright

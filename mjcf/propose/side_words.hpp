@@ -14,8 +14,8 @@ std::string without_side(const std::string& name);
 /// none or both do.
 int row_word(const std::string& name);
 
-/// 1 where a word of a name says left ("FL_thigh", "arm_l"), −1 where one says right, 0 where none
-/// or both do.
+/// 1 where a word of a name says left ("FL_thigh", "arm_l", "LHip"), −1 where one says right, 0
+/// where none or both do. A single letter within a name counts; of rows it may be anything.
 int lateral_word(const std::string& name);
 
 }  // namespace legwright

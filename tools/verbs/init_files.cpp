@@ -140,20 +140,23 @@ struct TurnedRobot {
 
 TurnedRobot stood_up(const RobotFiles& drawn) {
   std::optional<TrunkAxes> axes = find_trunk_axes(drawn.text(), drawn.file());
+  std::optional<RobotFiles> turned;
   std::string left;
-  if (axes && axes->upright && !turned_where_it_can_be(drawn, *axes)) {
+  if (axes)
+    turned = axes->upright ? turned_where_it_can_be(drawn, *axes) : with_upright_axes(drawn, *axes);
+  if (axes && !turned) {
     left = axes->why +
            "; ahead, left and right are along its axes, as the main file holds neither "
            "the trunk nor all keyframes, which init would turn";
     axes.reset();
   }
-  RobotFiles files = in_axes(drawn, axes);
+  RobotFiles files = turned.value_or(drawn);
   FoundPose found = pose_of(files);
   if (!axes && !found.none.empty())
     if (auto lying = find_lying_trunk_axes(drawn.text(), drawn.file()))
-      if (auto turned = turned_where_it_can_be(drawn, *lying))
-        if (FoundPose stands = pose_of(*turned); stands.pose)
-          return {std::move(lying), std::move(*turned), std::move(stands), ""};
+      if (auto up = turned_where_it_can_be(drawn, *lying))
+        if (FoundPose stands = pose_of(*up); stands.pose)
+          return {std::move(lying), std::move(*up), std::move(stands), ""};
   return {std::move(axes), std::move(files), std::move(found), std::move(left)};
 }
 

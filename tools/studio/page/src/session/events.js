@@ -15,6 +15,7 @@ const LONGEST_WAIT = 5000; // ms between attempts
 export function follow(tell, connection, heard) {
   let source = null;
   let wait = 250;
+  let why = ""; // the last attempt was refused
   let timer = 0;
   let closed = false;
 
@@ -23,7 +24,8 @@ export function follow(tell, connection, heard) {
     source.onopen = () => {
       wait = 250;
       heard = undefined;
-      connection(true, "");
+      why = "";
+      connection(true, why);
     };
     for (const kind of KINDS)
       source.addEventListener(kind, (event) => tell(kind, JSON.parse(event.data)));
@@ -33,8 +35,8 @@ export function follow(tell, connection, heard) {
     };
     source.onerror = async () => {
       source.close();
-      connection(false, "");
-      const why = await refusal();
+      connection(false, why); // at once: what is asked next may take its time
+      why = await refusal();
       if (closed) return;
       connection(false, why);
       timer = setTimeout(connect, wait);
