@@ -66,8 +66,9 @@ class Session:
             the last half second of a search. A journal that is there is replaced, nothing else.
             Where it can be written no further, as on a full disk, an event "failed" says so and
             the session goes on without it.
-        replay: a journal of the same robot and tasks to obey first; not the file of `journal`. It
-            takes as long as its searches took.
+        replay: a journal of the same robot and tasks to obey first; not the file of `journal`. What
+            solves and searches found stands in it and is taken over, where F is the same; else
+            they are done anew, which takes as long as they took.
         threads: default: all cores; results do not depend on it.
 
     Raises:

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
+#include <string_view>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
@@ -17,6 +17,7 @@ namespace {
 using namespace session;
 
 constexpr const char* kKind = "do";
+constexpr const char* kFound = "found";  // may be missing
 
 // One list of fields for each command, which writes and reads it.
 const char* kind_of(const Edit&) { return "edit"; }
@@ -75,22 +76,55 @@ void fields(Branch& c, F&& f) {
   f("name", c.name);
 }
 template <class F>
-void fields(Step&, F&&) {}
+void fields(Step& c, F&& f) {
+  f(kFound, c.found);
+}
 template <class F>
-void fields(Settled&, F&&) {}
+void fields(Settled& c, F&& f) {
+  f(kFound, c.found);
+}
 template <class F>
 void fields(Searched& c, F&& f) {
   f("points", c.points);
+  f(kFound, c.found);
 }
 template <class F>
 void fields(WorkedOut& c, F&& f) {
   f("what", c.what);
+  f(kFound, c.found);
 }
 template <class F>
 void fields(Choose& c, F&& f) {
   f("what", c.what);
   f("design", c.design);
   f("goes_on", c.goes_on);
+}
+
+void read_field(const char*, const Json& found, std::optional<Found>& value) {
+  value = found_of(found);
+}
+void read_field(const char*, const Json& found, std::shared_ptr<const Alternatives>& value) {
+  value = std::make_shared<const Alternatives>(alternatives_of(found));
+}
+void read_field(const char* key, const Json& found, int& value) {
+  if (!found.is_number_integer() || found < 0 || found > std::numeric_limits<int>::max())
+    throw std::invalid_argument(fmt::format("{} is no whole number that counts", key));
+  found.get_to(value);
+}
+template <class Value>
+void read_field(const char*, const Json& found, Value& value) {
+  found.get_to(value);
+}
+
+void write_field(const char* key, const std::optional<Found>& value, Json& json) {
+  if (value) json[key] = json_of(*value);
+}
+void write_field(const char* key, const std::shared_ptr<const Alternatives>& value, Json& json) {
+  if (value) json[key] = json_of(*value);
+}
+template <class Value>
+void write_field(const char* key, const Value& value, Json& json) {
+  json[key] = value;
 }
 
 /// The command of this kind, with its fields read; nothing where the kind is another.
@@ -101,12 +135,8 @@ std::optional<SessionCommand> read_kind(const std::string& kind, const Json& jso
     if (kind != kind_of(command)) return read_kind<I + 1>(kind, json);
     std::size_t read = 1;  // the kind itself
     fields(command, [&](const char* key, auto& value) {
-      const Json& found = json.at(key);
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, int>) {
-        if (!found.is_number_integer() || found < 0 || found > std::numeric_limits<int>::max())
-          throw std::invalid_argument(fmt::format("{} is no whole number that counts", key));
-      }
-      found.get_to(value);
+      if (std::string_view(key) == kFound && !json.contains(key)) return;
+      read_field(key, json.at(key), value);
       ++read;
     });
     if constexpr (std::is_same_v<decltype(command), Searched>)
@@ -120,12 +150,21 @@ std::optional<SessionCommand> read_kind(const std::string& kind, const Json& jso
 
 }  // namespace
 
+SessionCommand without_found(SessionCommand command) {
+  std::visit(
+      [](auto& each) {
+        if constexpr (requires { each.found.reset(); }) each.found.reset();
+      },
+      command);
+  return command;
+}
+
 Json json_of(const SessionCommand& command) {
   return std::visit(
       [](auto each) {
         Json json;
         json[kKind] = kind_of(each);
-        fields(each, [&](const char* key, auto& value) { json[key] = value; });
+        fields(each, [&](const char* key, auto& value) { write_field(key, value, json); });
         return json;
       },
       command);

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "tools/files/json_file.hpp"
+#include "tools/session/found.hpp"
 
 namespace legwright {
 
@@ -46,15 +49,24 @@ struct Snapshot {
 struct Branch {
   std::string name;  // of the snapshot from which to go on
 };
-struct Step {};     // one design iteration
-struct Settled {};  // the motions were solved
+/// One design iteration. Where `found` is there and fits, here and below, a replay takes it over;
+/// else it does the work.
+struct Step {
+  std::optional<Found> found = {};
+};
+/// The motions were solved.
+struct Settled {
+  std::optional<Found> found = {};
+};
 /// A search ran for so many points.
 struct Searched {
   int points = 0;
+  std::optional<Found> found = {};
 };
 /// Other designs were worked out: "fewest" changes, or the "front" of several tasks.
 struct WorkedOut {
   std::string what;
+  std::shared_ptr<const Alternatives> found = {};  // whose problem is not set; null: none
 };
 /// Takes one of those designs, counted from 0, in the place of the one that stands.
 struct Choose {
@@ -70,6 +82,9 @@ using SessionCommand =
                  session::Reset, session::Undo, session::Redo, session::Snapshot, session::Branch,
                  session::Step, session::Settled, session::Searched, session::WorkedOut,
                  session::Choose>;
+
+/// The same as it was asked for, without what was found: a replay does its work anew.
+SessionCommand without_found(SessionCommand command);
 
 /// The command as a line of the journal: {"do": "edit", …}.
 Json json_of(const SessionCommand& command);

@@ -64,6 +64,13 @@ std::shared_ptr<const DesignPoint> DesignMotions::settle(const VectorXd& s,
     solved.push_back(solver->now().m);
     status.push_back(solver->now().motion_status);
   }
+  return adopt(s, solved, status);
+}
+
+std::shared_ptr<const DesignPoint> DesignMotions::adopt(const VectorXd& s,
+                                                        const std::vector<VectorXd>& solved,
+                                                        const std::vector<SolveStatus>& status) {
+  loaded_ = nullptr;
   if (!load(s, solved)) return nullptr;
   auto point = std::make_shared<DesignPoint>();
   point->s = s;

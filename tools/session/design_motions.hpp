@@ -28,6 +28,11 @@ class DesignMotions {
   /// gets no further its best is taken, and its status says so.
   std::shared_ptr<const DesignPoint> settle(const Eigen::VectorXd& s,
                                             const std::vector<Eigen::VectorXd>& motions);
+  /// The same of motions that settle() found, with the ends of their solves. Null where F or its
+  /// derivatives are not finite.
+  std::shared_ptr<const DesignPoint> adopt(const Eigen::VectorXd& s,
+                                           const std::vector<Eigen::VectorXd>& solved,
+                                           const std::vector<SolveStatus>& status);
 
  private:
   bool for_all(const std::function<bool(int)>& work) const;

@@ -305,6 +305,11 @@ bool SessionEngine::settle() {
   return false;
 }
 
+/// Motions that settle() found, as the point that it led to; null where F is not finite there.
+std::shared_ptr<const DesignPoint> SessionEngine::adopted(const Found& found) {
+  return costs().motions.adopt(found.s, found.motions, found.status);
+}
+
 SearchRules SessionEngine::rules() {
   SearchRules rules;
   rules.threads = threads_;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,11 +49,12 @@ class SessionEngine {
   void apply(const session::Redo& redo);
   void apply(const session::Snapshot& snapshot);
   void apply(const session::Branch& branch);
-  /// Solves for what the journal says has been solved; `stop` must not interrupt it.
-  void apply(const session::Step&) { (void)step(); }
-  void apply(const session::Settled&) { (void)settle(); }
-  void apply(const session::Searched& searched) { (void)search(searched.points, {}); }
-  /// Notes where it was; the work is done when one of the designs is asked for.
+  /// Takes what the journal says was found, or does the work, which `stop` must not interrupt.
+  void apply(const session::Step& step);
+  void apply(const session::Settled& settled);
+  void apply(const session::Searched& searched);
+  /// Notes where it was; without what was found the work is done when one of the designs is asked
+  /// for.
   void apply(const session::WorkedOut& worked_out);
   void apply(const session::Choose& choose);
   void apply(const SessionCommand& command);
@@ -70,8 +72,9 @@ class SessionEngine {
   bool work_out(AlternativeKind kind, const std::function<void()>& tell);
   /// "fewest" or "front". Throws InputError for another word.
   static AlternativeKind kind_of(const std::string& what);
-  /// What was worked out, the latest of each kind.
+  /// What was worked out, the latest of each kind; null where there is nothing of it.
   std::vector<AlternativesPointer> alternatives() const;
+  AlternativesPointer worked_out(AlternativeKind kind) const;
 
  private:
   struct Costs;
@@ -86,6 +89,9 @@ class SessionEngine {
   std::shared_ptr<const DesignPoint> guessed(const SessionState& state, const Eigen::VectorXd& s);
   void move_to(const Eigen::VectorXd& s, bool goes_on);
   void change(SessionState next, bool goes_on = false);
+  std::shared_ptr<const DesignPoint> point_of(const std::optional<Found>& found);
+  std::shared_ptr<const DesignPoint> adopted(const Found& found);
+  bool go_to(const std::optional<Found>& found, int iterations);
   [[noreturn]] static void refuse(const std::string& where, const std::string& message);
 
   RobotModel robot_;  // with the bounds of its file

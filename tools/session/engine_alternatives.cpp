@@ -41,7 +41,14 @@ bool SessionEngine::work_out(AlternativeKind kind, const std::function<void()>& 
 }
 
 void SessionEngine::apply(const session::WorkedOut& worked_out) {
-  worked_[kind_of(worked_out.what)] = {state_, nullptr};
+  const AlternativeKind kind = kind_of(worked_out.what);
+  AlternativesPointer found;
+  if (worked_out.found && worked_out.found->kind == kind && fits(*worked_out.found, *state_)) {
+    auto all = std::make_shared<Alternatives>(*worked_out.found);
+    all->problem = state_->problem;
+    found = std::move(all);
+  }
+  worked_[kind] = {state_, std::move(found)};
 }
 
 void SessionEngine::apply(const session::Choose& choose) {
@@ -80,6 +87,11 @@ void SessionEngine::apply(const session::Choose& choose) {
   const std::vector<std::string> key{"", choose.what};  // no parameter has that name
   change(std::move(next), choose.goes_on && moving_ == key && history_.can_undo());
   moving_ = key;
+}
+
+AlternativesPointer SessionEngine::worked_out(AlternativeKind kind) const {
+  const auto found = worked_.find(kind);
+  return found == worked_.end() ? nullptr : found->second.found;
 }
 
 std::vector<AlternativesPointer> SessionEngine::alternatives() const {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
@@ -70,23 +71,25 @@ ReadJournal read_journal(const fs::path& file) {
   const std::vector<Json> lines = whole_lines(file);
   ReadJournal out;
   out.begin = begin_of(lines[0], file.string());
-  int going_on = 0;  // points of a search that has not ended
+  std::optional<session::Searched> going_on;  // a search that has not ended
   for (std::size_t k = 1; k < lines.size(); ++k) {
     const int line = static_cast<int>(k) + 1;
     if (lines[k].contains("do") && lines[k]["do"] == kSearching) {
       Json told = lines[k];
       told["do"] = "searched";
-      going_on = std::get<session::Searched>(command_of(told, file.string(), line)).points;
+      going_on = std::get<session::Searched>(command_of(told, file.string(), line));
       continue;
     }
     out.commands.push_back(command_of(lines[k], file.string(), line));
-    going_on = 0;  // the line that ends a search has all its points
+    going_on.reset();  // the line that ends a search has all its points
   }
-  if (going_on > 0) out.commands.emplace_back(session::Searched{going_on});
+  if (going_on) out.commands.emplace_back(*std::move(going_on));
   return out;
 }
 
-SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file) : begin_(begin) {
+SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file,
+                               std::size_t most_found)
+    : begin_(begin), room_(most_found) {
   if (file.empty()) return;
   if (fs::exists(fs::symlink_status(file))) {
     if (!is_journal(file))
@@ -99,10 +102,31 @@ SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file) 
 
 void SessionJournal::add(const SessionCommand& command) {
   commands_.push_back(command);
-  write(json_of(command));
+  write(line_of(commands_.back()));
 }
 
-void SessionJournal::searching(int points) { write({{"do", kSearching}, {"points", points}}); }
+void SessionJournal::searching(const session::Searched& so_far) {
+  SessionCommand command = so_far;
+  Json line = line_of(command);
+  line["do"] = kSearching;
+  write(line);
+}
+
+/// The command's line. What it found goes where there is no room for more.
+Json SessionJournal::line_of(SessionCommand& command) {
+  Json line = json_of(command);
+  const auto found = line.find("found");
+  if (found == line.end()) return line;
+  const std::size_t size = found->dump().size();
+  if (size <= room_) {
+    room_ -= size;
+    return line;
+  }
+  room_ = 0;  // what comes after a gap would not be reached without a solve
+  command = without_found(std::move(command));
+  line.erase("found");
+  return line;
+}
 
 // Nothing is written behind a line that was torn.
 void SessionJournal::write(const Json& line) {

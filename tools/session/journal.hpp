@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,28 +36,32 @@ struct ReadJournal {
 ReadJournal read_journal(const std::filesystem::path& file);
 
 /// Everything that happened in a session, in order; on disk, too, as it happens: each line is one
-/// write, so a process that dies has it there. Replayed, it leads to the same state.
+/// write, so a process that dies has it there. Replayed, it leads to the same state. What solves
+/// found stands beside their commands, until it is so much that the file would not be read again.
 class SessionJournal {
  public:
   /// @param file to write to, or empty. A journal that is there is replaced.
+  /// @param most_found [bytes] so much of what was found is kept: half of what is read again
   /// Throws IoError where something else is there, std::system_error where it cannot be written.
-  SessionJournal(const SessionBegin& begin, const std::filesystem::path& file);
+  SessionJournal(const SessionBegin& begin, const std::filesystem::path& file,
+                 std::size_t most_found = std::size_t{32} << 20);
 
   /// Throws std::system_error where the file cannot be written, say on a full disk: it ends there.
   void add(const SessionCommand& command);
-  /// The search that goes on has had so many points: for a process that dies meanwhile. Throws
-  /// likewise.
-  void searching(int points);
+  /// The search that goes on has come so far: for a process that dies meanwhile. Throws likewise.
+  void searching(const session::Searched& so_far);
   const std::vector<SessionCommand>& commands() const { return commands_; }
   /// The same as the file has it, without what searches told on their way.
   std::string text() const;
 
  private:
   void write(const Json& line);
+  Json line_of(SessionCommand& command);
 
   SessionBegin begin_;
   std::vector<SessionCommand> commands_;
   std::unique_ptr<EventLog> log_;
+  std::size_t room_;  // for what is found yet [bytes]
 };
 
 }  // namespace legwright

@@ -198,11 +198,11 @@ void Session::search() {
     publish(SessionEvent::Kind::point);
     const auto now = std::chrono::steady_clock::now();
     if (points == 1 || now - noted > kSearchNoted) {
-      write_journal([&] { journal_.searching(points); });
+      write_journal([&] { journal_.searching({points, found_in(*engine_.state())}); });
       noted = now;
     }
   });
-  if (end.points > 0) note(session::Searched{end.points});
+  if (end.points > 0) note(session::Searched{end.points, found_in(*engine_.state())});
   {
     const std::lock_guard lock(mutex_);
     searching_ = false;
@@ -216,7 +216,7 @@ void Session::settle() {
   const bool solved = engine_.settle();
   if (!solved && interrupted()) return;
   pace_.solved(DragPace::Clock::now() - start);
-  if (solved) note(session::Settled{});
+  if (solved) note(session::Settled{found_in(*engine_.state())});
   {
     const std::lock_guard lock(mutex_);
     phase_ = SessionPhase::idle;
@@ -240,7 +240,7 @@ void Session::work_out_now(AlternativeKind kind) {
     if (interrupted()) return;
     why = "F is not finite on the way to other designs";
   }
-  if (done) note(session::WorkedOut{std::string(to_string(kind))});
+  if (done) note(session::WorkedOut{std::string(to_string(kind)), engine_.worked_out(kind)});
   {
     const std::lock_guard lock(mutex_);
     working_out_.reset();

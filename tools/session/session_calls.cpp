@@ -137,7 +137,7 @@ bool Session::step() {
   call([this, &moved] {
     moved = engine_.step();
     if (!moved) return;
-    note(session::Step{});
+    note(session::Step{found_in(*engine_.state())});
     publish(SessionEvent::Kind::changed);
   });
   return moved;

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -26,6 +28,21 @@ namespace {
 
 Json error_json(const std::string& message, const std::string& where = {}, int line = 0) {
   return {{"error", {{"where", where}, {"message", message}, {"line", line}}}};
+}
+
+/// What the program would print, with files by their names alone; a session has none.
+std::string told(const InputError& error) {
+  std::string out;
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) {
+    constexpr std::string_view kSession = "<session>: ";
+    if (line.starts_with(kSession)) line.erase(0, kSession.size());
+    const std::size_t end = line.find(':');
+    const bool path = line.starts_with('/') && end != std::string::npos && line.find(' ') > end;
+    if (path) line.erase(0, line.rfind('/', end) + 1);
+    out += (out.empty() ? "" : "\n") + line;
+  }
+  return out;
 }
 
 std::string query_of(const StudioRequest& request, const std::string& key) {
@@ -62,6 +79,15 @@ std::optional<std::array<double, 2>> slope_of_body(const Json& body) {
   const Json& slope = body["slope"];
   if (slope.is_number()) return std::array{slope.get<double>(), 0.0};
   return needed<std::array<double, 2>>(body, "slope");
+}
+
+/// A key that undoes is pressed where there is nothing of it, too: then nothing happens.
+void go_back(Session& session, const SessionCommand& which, const std::string& kind) {
+  try {
+    session.apply(which);
+  } catch (const InputError& error) {
+    if (error.where() != kind) throw;
+  }
 }
 
 }  // namespace
@@ -109,7 +135,7 @@ StudioReply StudioService::answer(const StudioRequest& request) {
                                       ": the studio knows no such request"))};
     return {200, to_line((this->*found->second)(request))};
   } catch (const InputError& error) {
-    return {400, to_line(error_json(error.what(), error.where(), error.line()))};
+    return {400, to_line(error_json(told(error), error.where(), error.line()))};
   } catch (const IoError& error) {
     return {409, to_line(error_json(error.what()))};
   } catch (const std::system_error& error) {
@@ -294,7 +320,11 @@ Json StudioService::post_command(const StudioRequest& request) {
     if (kind == "freeze" && !command.contains("frozen")) command["frozen"] = true;
     const bool held = given_or(command, "held", false);
     command.erase("held");
-    session.apply(command_of(command, "command", 0), held);
+    const SessionCommand read = command_of(command, "command", 0);
+    if (kind == "undo" || kind == "redo")
+      go_back(session, read, kind);
+    else
+      session.apply(read, held);
   }
   return {{"revision", session.snapshot()->revision}};
 }

@@ -20,12 +20,6 @@ constexpr const char* kFewest = "fewest";
 constexpr const char* kFront = "front";
 const std::filesystem::path kBoth = test::source_dir() + "/examples/quadruped/both.toml";
 
-AlternativesPointer found_of(const SessionEngine& engine, AlternativeKind kind) {
-  for (const AlternativesPointer& each : engine.alternatives())
-    if (each->kind == kind) return each;
-  return nullptr;
-}
-
 std::string refusal_of(SessionEngine& engine, const SessionCommand& command) {
   try {
     engine.apply(command);
@@ -56,7 +50,7 @@ class FewestOfThePuppy : public testing::Test {
   }
   AlternativesPointer worked_out() {
     EXPECT_TRUE(engine_.work_out(AlternativeKind::fewest, {}));
-    return found_of(engine_, AlternativeKind::fewest);
+    return engine_.worked_out(AlternativeKind::fewest);
   }
 };
 
@@ -92,12 +86,34 @@ TEST_F(FewestOfThePuppy, OneTakesThePlaceOfTheDesignAndIsUndoneAsOneStep) {
   EXPECT_EQ(engine_.state(), before);
 }
 
+TEST_F(FewestOfThePuppy, AReplayTakesWhatTheJournalHas) {
+  search();
+  const Found searched = found_in(*engine_.state());
+  const AlternativesPointer found = worked_out();
+  engine_.apply(session::Choose{kFewest, 2});
+  SessionEngine again(test::puppy(), read_file(test::kSideways), test::kSideways);
+  again.set_stop([] { return true; });  // nothing is worked out anew
+  const auto kept = std::make_shared<const Alternatives>(*found);
+  for (const SessionCommand& command :
+       {SessionCommand(session::Searched{engine_.state()->iterations, searched}),
+        SessionCommand(session::Settled{searched}),
+        SessionCommand(session::WorkedOut{kFewest, kept}),
+        SessionCommand(session::Choose{kFewest, 2})})
+    again.apply(command_of(json_of(command), "session.jsonl", 2));
+  EXPECT_EQ(bits(*again.state()), bits(*engine_.state()));
+  EXPECT_EQ(again.worked_out(AlternativeKind::fewest)->designs.size(), found->designs.size());
+  auto short_of = std::make_shared<Alternatives>(*found);
+  for (Alternative& each : short_of->designs) each.motions.clear();
+  again.apply(session::WorkedOut{kFewest, short_of});
+  EXPECT_FALSE(again.worked_out(AlternativeKind::fewest));
+}
+
 TEST_F(FewestOfThePuppy, WhatIsLockedStaysAndRefusesDesignsOfBefore) {
   search();
   (void)worked_out();
   const double thigh = engine_.state()->s()[index(kThigh)];
   engine_.apply(session::Freeze{{kThigh}, true});
-  const AlternativesPointer before = found_of(engine_, AlternativeKind::fewest);
+  const AlternativesPointer before = engine_.worked_out(AlternativeKind::fewest);
   const int last = static_cast<int>(before->designs.size()) - 1;
   ASSERT_NE(before->designs.back().s[index(kThigh)], thigh);
   EXPECT_NE(refusal_of(engine_, session::Choose{kFewest, last}).find("locked or bounded since"),
@@ -142,7 +158,7 @@ TEST(FrontOfTwoTasks, FallsFromEndToEndAndIsMovedAlong) {
   (void)engine.search(30, {});
   ASSERT_TRUE(engine.settle());
   ASSERT_TRUE(engine.work_out(AlternativeKind::front, {}));
-  const AlternativesPointer found = found_of(engine, AlternativeKind::front);
+  const AlternativesPointer found = engine.worked_out(AlternativeKind::front);
   ASSERT_GE(found->designs.size(), 9u);
   EXPECT_EQ(found->designs.front().weights, (std::vector{0.0, 1.0}));
   EXPECT_EQ(found->designs.back().weights, (std::vector{1.0, 0.0}));

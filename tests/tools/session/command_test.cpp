@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <memory>
+
 #include "mjcf/text/input_error.hpp"
 
 namespace legwright {
@@ -38,6 +42,34 @@ TEST(SessionCommand, EveryKindComesBackAsItWasWritten) {
   EXPECT_EQ(edit.values.at("body"), 1.0 / 3.0);  // the same bits
 }
 
+TEST(SessionCommand, WhatWasFoundComesBackToTheBitAndMayBeMissing) {
+  const Found found{Eigen::Vector2d(0.1, 1.0 / 3.0),
+                    {Eigen::Vector3d(1e-300, -0.0, 7.0)},
+                    {2.0 / 7.0},
+                    {SolveStatus::stalled}};
+  const SessionCommand command = session::Searched{3, found};
+  const auto back = std::get<session::Searched>(read(json_of(command).dump()));
+  ASSERT_TRUE(back.found);
+  EXPECT_EQ(back.points, 3);
+  EXPECT_EQ(back.found->s, found.s);
+  EXPECT_EQ(back.found->motions, found.motions);
+  EXPECT_TRUE(std::signbit(back.found->motions[0][1]));
+  EXPECT_EQ(back.found->values, found.values);
+  EXPECT_EQ(back.found->status, found.status);
+  EXPECT_EQ(json_of(without_found(command)).dump(), json_of(session::Searched{3}).dump());
+  EXPECT_FALSE(std::get<session::Searched>(read(R"({"do": "searched", "points": 3})")).found);
+
+  Alternatives all;
+  all.kind = AlternativeKind::front;
+  all.designs.push_back({found.s, found.motions, {0.25}, {1.5}, {1}});
+  all.worths.push_back({1, 0.3, std::numeric_limits<double>::infinity()});
+  const SessionCommand worked =
+      session::WorkedOut{"front", std::make_shared<const Alternatives>(all)};
+  const std::string text = json_of(worked).dump();
+  EXPECT_EQ(json_of(read(text)).dump(), text);
+  EXPECT_TRUE(std::isinf(std::get<session::WorkedOut>(read(text)).found->worths[0].worth));
+}
+
 TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
   for (const char* text :
        {"[]", "{}", R"({"do": "dance"})", R"({"do": "edit"})", R"({"do": "undo", "times": 2})",
@@ -45,7 +77,12 @@ TEST(SessionCommand, WhatIsNoCommandIsToldByLine) {
         R"({"do": "searched", "points": 0})", R"({"do": "searched", "points": 1e300})",
         R"({"do": "choose", "what": "front", "design": -1, "goes_on": false})",
         R"({"do": "worked_out"})", R"({"do": "searched", "points": 4294967297})",
-        R"({"do": "searched", "points": 2.5})"}) {
+        R"({"do": "searched", "points": 2.5})", R"({"do": "settled", "found": 3})",
+        R"({"do": "settled", "found": {"s": "!", "motions": [], "values": [], "status": []}})",
+        R"({"do": "step", "found": {"s": "AAAA", "motions": [], "values": [], "status": []}})",
+        R"({"do": "step", "found": {"s": "", "motions": [], "values": [], "status": ["good"]}})",
+        R"({"do": "undo", "found": {"s": "", "motions": [], "values": [], "status": []}})",
+        R"({"do": "worked_out", "what": "front", "found": {"kind": "best"}})"}) {
     try {
       (void)read(text);
       FAIL() << text;

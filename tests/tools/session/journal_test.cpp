@@ -46,15 +46,33 @@ TEST_F(Journal, ARobotIsKnownByWhatACopyOfItHas) {
 
 TEST_F(Journal, ASearchThatDiedCountsWithThePointsThatItHad) {
   SessionJournal journal(begin_, file_);
-  journal.searching(3);
+  journal.searching({3});
   journal.add(session::Searched{5});
-  journal.searching(7);
-  journal.searching(9);
+  journal.searching({7});
+  journal.searching({9});
   write_file(file_, read_file(file_) + "{\"do\":\"undo\",\"crc\":\"0");  // torn
   const ReadJournal read = read_journal(file_);
   ASSERT_EQ(read.commands.size(), 2u);
   EXPECT_EQ(std::get<session::Searched>(read.commands[0]).points, 5);
   EXPECT_EQ(std::get<session::Searched>(read.commands[1]).points, 9);
+}
+
+TEST_F(Journal, HasNoMoreOfWhatWasFoundThanIsReadAgain) {
+  const Found found{
+      Eigen::VectorXd::Ones(3), {Eigen::VectorXd::Ones(50)}, {1.0}, {SolveStatus::converged}};
+  const std::size_t one = json_of(found).dump().size();
+  SessionJournal journal(begin_, file_, 2 * one + 1);
+  journal.add(session::Settled{found});
+  journal.searching({7, found});
+  journal.add(session::Searched{9, found});
+  journal.add(session::Settled{Found{}});  // small; but a gap is before it
+  const ReadJournal read = read_journal(file_);
+  ASSERT_EQ(read.commands.size(), 3u);
+  EXPECT_TRUE(std::get<session::Settled>(read.commands[0]).found);
+  EXPECT_FALSE(std::get<session::Searched>(read.commands[1]).found);
+  EXPECT_FALSE(std::get<session::Settled>(read.commands[2]).found);
+  for (std::size_t k = 0; k < read.commands.size(); ++k)
+    EXPECT_EQ(json_of(read.commands[k]), json_of(journal.commands()[k]));
 }
 
 TEST_F(Journal, WhatIsNoneIsRefused) {

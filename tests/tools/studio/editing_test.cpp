@@ -76,6 +76,14 @@ TEST_F(EditingTest, AnEditIsDrawnAndSolvedAndUndone) {
   EXPECT_EQ(refused["status"], 400);
   EXPECT_NE(refused["error"]["message"].get<std::string>().find("its bounds"), std::string::npos);
   EXPECT_EQ(refused["error"]["where"], kThigh);
+  EXPECT_EQ(refused["error"]["message"].get<std::string>().find("front_thigh_length: is to be"), 0U)
+      << "its place once, and no file";
+}
+
+TEST_F(EditingTest, KeysThatUndoWhereThereIsNothingAreNoFault) {
+  (void)browser_.settled();
+  for (const char* key : {"undo", "redo"}) EXPECT_EQ(command({{"do", key}})["status"], 200) << key;
+  EXPECT_EQ(command({{"do", "undo"}, {"steps", 2}})["status"], 400);
 }
 
 TEST_F(EditingTest, UndoAndEditsInterruptASearch) {
@@ -130,6 +138,7 @@ TEST_F(EditingTest, TasksChangeByTheirKeys) {
   const Json refused = change({{"gait", {{"perriod", 0.8}}}});
   EXPECT_EQ(refused["status"], 400);
   EXPECT_NE(refused["error"]["message"].get<std::string>().find("period"), std::string::npos);
+  EXPECT_EQ(refused["error"]["message"].get<std::string>().find("sideways.toml:"), 0U) << refused;
   EXPECT_GT(browser_.settled()["document"].get<int>(), before["document"].get<int>());
 }
 

@@ -208,7 +208,7 @@ export class Studio {
   fail(error) {
     if (error.name === "AbortError") return;
     if (!(error instanceof ApiError)) console.error(error);
-    this.notices.show("error", error.words ?? error.message);
+    this.notices.show("error", error.message);
   }
 
   /** Waits until all that the hand asked for is answered: requests may overtake each other. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page asks of its server. A refusal is an ApiError that says what the program would
-// print.
+// print; its message begins with the place.
 
 export class ApiError extends Error {
   constructor(status, { where = "", message = "", line = 0 } = {}) {
@@ -8,12 +8,6 @@ export class ApiError extends Error {
     this.status = status;
     this.where = where;
     this.line = line;
-  }
-
-  /** Place and message, as one line. */
-  get words() {
-    const place = [this.where, this.line ? `line ${this.line}` : ""].filter(Boolean).join(", ");
-    return place ? `${place}: ${this.message}` : this.message;
   }
 }
 

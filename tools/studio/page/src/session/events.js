@@ -56,7 +56,7 @@ async function refusal() {
   try {
     await get("/api/room", AbortSignal.timeout(LONGEST_WAIT));
   } catch (error) {
-    if (error.status) return error.words;
+    if (error.status) return error.message;
   }
   return "";
 }

@@ -97,13 +97,25 @@ export class JudgePanel {
     this.passes = verdict?.word === "PASS";
     this.advice.hidden = !verdict || this.passes;
     this.markOld();
-    const [kept, missed] = [true, false].map((good) => lines.filter((line) => line.passed === good));
-    for (const [list, some] of [[this.lines, missed], [this.kept, kept]])
-      fill(list, some.map((line) => this.line(line)));
-    this.folded.hidden = !kept.length;
-    setText(this.keptTitle, `${kept.length} ${kept.length === 1 ? "limit is" : "limits are"} kept`);
+    this.showLines(lines);
     if (this.asked && (running || verdict)) this.verdict.scrollIntoView({ block: "nearest" });
     if (!running) this.asked = false;
+  }
+
+  /** Limits that are missed; folded are those that are kept, or of which a fall left nothing. */
+  showLines(lines) {
+    const kept = lines.filter(({ passed }) => passed);
+    const missed = lines.filter(({ passed, numbers }) => !passed && numbers.value !== null);
+    const unmeasured = lines.filter((line) => !kept.includes(line) && !missed.includes(line));
+    const [shown, rest] = missed.length ? [missed, [...kept, ...unmeasured]] : [unmeasured, kept];
+    for (const [list, some] of [[this.lines, shown], [this.kept, rest]])
+      fill(list, some.map((line) => this.line(line)));
+    this.folded.hidden = !rest.length;
+    const told = [
+      kept.length && `${kept.length} ${kept.length === 1 ? "limit is" : "limits are"} kept`,
+      missed.length && unmeasured.length && `${unmeasured.length} could not be measured`,
+    ];
+    setText(this.keptTitle, told.filter(Boolean).join(", "));
   }
 
   forget() {

@@ -70,7 +70,8 @@ export class Palette {
         ? [h("h3", {}, title), h("ul", {}, some.map(({ name }) => this.cards.get(name)))]
         : "";
     });
-    fill(this.list, groups);
+    const none = groups.every((group) => group === "");
+    fill(this.list, none ? h("p.hint", {}, "No module has this in its name, maker or kind.") : groups);
   }
 
   card(module) {
