@@ -2,6 +2,7 @@
 """Edits on their way from the page to the server, which a thread of their own sends."""
 
 from own_studio import OwnStudio
+from studio_browser import ROOT, Page, Server
 
 NAME = 'front_thigh_length'
 
@@ -52,6 +53,25 @@ class Editing(OwnStudio):
         notice.wait_for()
         studio.js('([n, v]) => legwrightStudio.edit(n, v, "once")', [NAME, 0.062])
         studio.until('n => legwrightStudio.store.get("state").s.includes(0.062)', NAME)
+
+    def test_nothing_is_asked_of_a_robot_that_is_not_known_yet(self):
+        came = []
+        self.server = Server(str(ROOT / 'examples/puppy/sideways.toml'))
+        self.addCleanup(self.server.close)
+        hold = ('**/api/document', lambda route: came.append(route))
+        studio = Page(self.browser, self.server.url, cut=hold)
+        self.addCleanup(studio.close)
+        while not came:
+            studio.page.wait_for_timeout(20)
+        studio.until('document.body.dataset.page === "workspace"')
+        self.assertTrue(studio.js('document.querySelector(".workspace").inert'))
+        for key in ('s', 'o', 'ArrowDown', 'l', '+', 'Control+z'):
+            studio.page.keyboard.press(key)
+        came[0].continue_()
+        studio.page.unroute('**/api/document')
+        studio.ready()
+        self.assertFalse(studio.js('document.querySelector(".workspace").inert'))
+        self.assertEqual(studio.console, [])
 
     def hold_one(self, studio):
         """Holds the next command; gives what answers it in the place of the server."""

@@ -144,6 +144,7 @@ export function takeKeys(studio) {
   addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || document.body.dataset.page !== "workspace")
       return;
+    if (!studio.store.get("document")) return;
     if (event.ctrlKey || event.metaKey) {
       const act = {
         z: () => studio.command(event.shiftKey ? "redo" : "undo"),

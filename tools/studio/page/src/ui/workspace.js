@@ -207,6 +207,10 @@ export class Workspace {
   follow() {
     const { studio } = this;
     const { store, view } = studio;
+    // Nothing can be asked of what is not known yet.
+    const known = () => (this.element.inert = !store.get("document"));
+    known();
+    store.on(["document", "forgotten"], known);
     store.on("document", (document) => {
       setText(this.title, document.label || document.name);
       this.title.title = document.path ?? "";

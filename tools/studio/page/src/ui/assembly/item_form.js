@@ -38,7 +38,8 @@ export class ItemForm {
   }
 
   fillInAgain(item) {
-    if (this.shownItem === item) this.fillIn(item, this.client.find(item));
+    const found = this.client.find(item); // it may be gone meanwhile
+    if (found && this.shownItem === item) this.fillIn(item, found);
   }
 
   fillIn(item, found) {
