@@ -48,6 +48,7 @@ SessionEngine::SessionEngine(RobotModel robot, const std::string& text,
       std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   SessionState first;
   first.problem = problem;
+  first.of_given = std::make_shared<GivenMotions>();
   first.given = given_body(robot_.space, problem->set.design);
   VectorXd s = first.given;
   first.lower = robot_.space.lower();
@@ -196,6 +197,7 @@ void SessionEngine::apply(const session::Tasks& tasks) {
       std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   const VectorXd s = state_->s();
   next.problem = problem;
+  next.of_given = std::make_shared<GivenMotions>();
   next.weights.clear();
   next.cold.clear();
   next.base = nullptr;
@@ -298,6 +300,7 @@ bool SessionEngine::settle() {
     if (auto point = costs().motions.settle(next.s(), motions)) {
       next.now = next.base = std::move(point);
       state_ = std::make_shared<const SessionState>(std::move(next));
+      keep_given(*before);
       return true;
     }
   }
@@ -308,6 +311,14 @@ bool SessionEngine::settle() {
 /// Motions that settle() found, as the point that it led to; null where F is not finite there.
 std::shared_ptr<const DesignPoint> SessionEngine::adopted(const Found& found) {
   return costs().motions.adopt(found.s, found.motions, found.status);
+}
+
+/// The given body's motions, where those are what was solved for, from nothing.
+void SessionEngine::keep_given(const SessionState& before) {
+  const bool cold = std::all_of(before.cold.begin(), before.cold.end(), [](bool c) { return c; });
+  if (!cold || before.s() != before.problem->robot.space.initial()) return;
+  Found found = found_in(*state_);
+  state_->of_given->set({std::move(found.motions), std::move(found.status)});
 }
 
 SearchRules SessionEngine::rules() {

@@ -83,6 +83,7 @@ class SessionEngine {
   SearchRules rules();
   std::vector<WeightedCost> weighted_costs();
   bool warm_up();
+  void keep_given(const SessionState& before);
   int find(const std::string& name) const;
   std::shared_ptr<const DesignPoint> shown(const Eigen::VectorXd& s,
                                            std::vector<Eigen::VectorXd> motions);

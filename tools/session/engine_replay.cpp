@@ -21,10 +21,12 @@ void SessionEngine::apply(const session::Settled& settled) {
     (void)settle();
     return;
   }
+  const StatePointer before = state_;
   SessionState next = *state_;
   next.cold.assign(next.cold.size(), false);
   next.now = next.base = std::move(point);
   state_ = std::make_shared<const SessionState>(std::move(next));
+  keep_given(*before);
 }
 
 /// To where so many design iterations led. False where that does not fit.

@@ -44,26 +44,43 @@ DesignIteration iteration_of(const SessionState& state, int index, const DesignP
   return out;
 }
 
+using PointPointer = std::shared_ptr<const DesignPoint>;
+
+PointPointer checked(PointPointer point) {
+  if (!point) throw InputError("the session's body has no finite motion; change it before saving");
+  return point;
+}
+
+/// The given body with its motions, which are solved for once.
+PointPointer given_point(const SessionState& state, const std::vector<JointTask>& tasks,
+                         DesignMotions& motions) {
+  const Eigen::VectorXd given = state.problem->robot.space.initial();
+  const SolvedMotions solved = state.of_given->get([&] {
+    std::vector<Eigen::VectorXd> first;
+    first.reserve(tasks.size());
+    for (const JointTask& task : tasks) first.push_back(task.guess(given));
+    SolvedMotions out;
+    for (const TaskIterate& task : checked(motions.settle(given, first))->tasks) {
+      out.motions.push_back(task.m);
+      out.status.push_back(task.motion_status);
+    }
+    return out;
+  });
+  return checked(motions.adopt(given, solved.motions, solved.status));
+}
+
 /// The given body and where the session stands, both with their motions.
 MultistartResult found_by(const SessionState& state, const std::vector<JointTask>& tasks) {
   DesignMotions motions(tasks, static_cast<int>(tasks.size()), [] { return false; });
-  const auto settled = [&](const Eigen::VectorXd& s, const std::vector<Eigen::VectorXd>& from) {
-    auto point = motions.settle(s, from);
-    if (!point)
-      throw InputError("the session's body has no finite motion; change it before saving");
-    return point;
-  };
-  std::vector<Eigen::VectorXd> first, here;
+  std::vector<Eigen::VectorXd> here;
   for (std::size_t k = 0; k < tasks.size(); ++k)
     here.push_back(state.cold[k] ? tasks[k].guess(state.s()) : state.now->tasks[k].m);
-  const auto last = settled(state.s(), here);
-  const Eigen::VectorXd given = state.problem->robot.space.initial();
-  for (const JointTask& task : tasks) first.push_back(task.guess(given));
+  const PointPointer last = checked(motions.settle(state.s(), here));
   StartedRun run;
   run.label.start = "initial";
   for (int k = 0; k < static_cast<int>(tasks.size()); ++k) run.label.tasks.push_back(k);
   run.result.status = SolveStatus::stopped;
-  run.result.initial = iteration_of(state, 0, *settled(given, first));
+  run.result.initial = iteration_of(state, 0, *given_point(state, tasks, motions));
   run.result.best = iteration_of(state, 1, *last);
   run.result.motion_only_traces.resize(tasks.size());
   run.result.design_iterations = state.iterations;

@@ -163,5 +163,30 @@ TEST(SaveSession, IsARunThatCanBeOpenedAndReplayed) {
   EXPECT_EQ(read_json(folder.run_json()), run);
 }
 
+TEST(SaveSession, TheGivenBodyIsSolvedForOnceToTheSameBytes) {
+  const test::TemporaryFolder root;
+  const fs::path task = kExamples / "puppy" / "sideways.toml";
+  Session session(read_robot(kExamples / "puppy" / "robot.xml"), read_file(task), task);
+  ASSERT_TRUE(session.wait(std::chrono::minutes(2)));
+  session.apply(session::Edit{{{"front_thigh_length", 0.061}}});
+  const SessionRecord record = session.record();
+  SessionState unknown = *record.state;
+  unknown.of_given = std::make_shared<GivenMotions>();
+  int solves = 0;
+  const auto solve = [&] {
+    ++solves;
+    return SolvedMotions{};
+  };
+  (void)record.state->of_given->get(solve);
+  EXPECT_EQ(solves, 0) << "the session began with it";
+  save_session(record, root.path() / "known", false);
+  save_session({std::make_shared<const SessionState>(unknown), record.journal},
+               root.path() / "solved", false);
+  (void)unknown.of_given->get(solve);
+  EXPECT_EQ(solves, 0) << "the next time it is known";
+  EXPECT_EQ(read_file(root.path() / "known/iterations/0000/motion.csv"),
+            read_file(root.path() / "solved/iterations/0000/motion.csv"));
+}
+
 }  // namespace
 }  // namespace legwright

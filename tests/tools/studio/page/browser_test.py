@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The studio as its user has it: Chromium before `legwright studio`. tools/page --test runs it:
-all, or the classes and tests that are named; CTest leaves out LONG unless LEGWRIGHT_LONG_TESTS is
-set."""
+"""The studio as its user has it: Chromium before `legwright studio`. tools/page --test runs all, or
+the classes and tests that are named; CTest leaves out LONG unless LEGWRIGHT_LONG_TESTS is set."""
 
 import base64
 import hashlib
@@ -13,6 +12,7 @@ import sys
 import unittest
 
 from assembling import Assembling  # noqa: F401
+from by_chance import ByChance  # noqa: F401
 from editing import Editing  # noqa: F401
 from new_users import NewUsers  # noqa: F401
 from other_designs import OtherDesigns  # noqa: F401
@@ -23,7 +23,7 @@ from touch_and_crash import Apart  # noqa: F401
 from whole_way import Whole  # noqa: F401
 
 SKIPPED = 77
-LONG = ('Apart', 'Assembling', 'OtherDesigns', 'Tablet')  # for `tools/test --long`
+LONG = ('Apart', 'Assembling', 'ByChance', 'OtherDesigns', 'Tablet')  # for `tools/test --long`
 
 
 class Studio(unittest.TestCase):
