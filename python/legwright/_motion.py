@@ -2,8 +2,9 @@
 """A planned motion, as numpy arrays."""
 
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,15 @@ Array = NDArray[np.float64]
 MADE_ANEW = '`legwright optimize` makes it anew'
 
 
-@dataclass(frozen=True)
+def same_numbers(one: Any, other: object) -> bool:
+    """Whether two of a dataclass that has arrays have the same numbers in all of its fields."""
+    return type(one) is type(other) and all(
+        np.array_equal(getattr(one, field.name), getattr(other, field.name))
+        for field in fields(one)
+    )
+
+
+@dataclass(frozen=True, eq=False)
 class Motion:
     """One cycle of a gait at T + 1 knots; the last is the first, one cycle later. World frame.
 
@@ -42,6 +51,12 @@ class Motion:
     """n names, in the order of `joints`."""
     foot_names: tuple[str, ...]
     """k names, in the order of `feet`."""
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it has the same numbers."""
+        return same_numbers(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         return (

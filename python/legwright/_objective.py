@@ -19,7 +19,7 @@ from legwright._motion import Motion
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class PlannedMotion(Motion):
     """A motion of the search, with what else an objective may ask of a task and its body."""
 

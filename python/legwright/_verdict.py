@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from legwright._motion import same_numbers
+
 
 @dataclass(frozen=True)
 class Verdict:
@@ -25,7 +27,7 @@ class Verdict:
         return self.line
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FrontPoint:
     """A body on the trade-off between two tasks, with its best motions."""
 
@@ -39,6 +41,12 @@ class FrontPoint:
     """The body, in the order of robot.parameters [m, rad]."""
     status: str
     """How its search ended."""
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it has the same numbers."""
+        return same_numbers(self, other)
+
+    __hash__ = None  # type: ignore[assignment]
 
 
 def finite_or_inf(number: float | None) -> float:

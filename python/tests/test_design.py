@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import dataclasses
 import gc
 import json
 import subprocess
@@ -49,6 +50,15 @@ def test_a_motion_is_shown_in_a_line(walk):
     joints, knots = walk.motion.joints.shape[1], len(walk.motion.time)
     wanted = f'<Motion: {joints} joints, 4 feet over {walk.motion.period:g} s at {knots} knots>'
     assert repr(walk.motion) == str(walk.motion) == wanted
+
+
+def test_motions_are_compared_by_their_numbers(walk):
+    motion = walk.motion
+    assert motion == dataclasses.replace(motion, time=motion.time.copy())
+    assert motion != dataclasses.replace(motion, time=motion.time + 1e-9)
+    assert motion != 'walk' and motion in [motion]
+    point = lw.FrontPoint(0.5, 1.0, {'pace': 1.0}, motion.time, 'converged')
+    assert point == dataclasses.replace(point) != dataclasses.replace(point, s=motion.time[1:])
 
 
 def test_verdict_and_certificate_are_those_of_the_run(walk):
