@@ -185,6 +185,7 @@ class Task:
         Raises:
             InputError: where the robot has no such gait.
             ValueError: where the robot is needed and not given.
+            TypeError: where it is no Robot.
         """
         if self._content is None:
             return self._loaded
@@ -192,6 +193,7 @@ class Task:
             return _toml.document(self._content)
         if robot is None:
             raise ValueError('a task without a period needs the robot: text(robot)')
+        check_robot(robot)
         gait = None if self._own_pattern else self._content['gait'].get('name')
         try:
             starter = tomllib.loads(robot._model.starter_text(gait))
@@ -253,16 +255,20 @@ def task_of(given: Any) -> Any:
     return Task._from_content({'robot': 'robot.xml', 'name': name, **given}, Path(_MADE))
 
 
+def check_robot(robot: object) -> None:
+    if not isinstance(robot, Robot):
+        raise TypeError(
+            f'robot is {kind_of(robot)}; expected a legwright.Robot, as Robot("robot.xml")'
+        )
+
+
 def text_of(tasks: Tasks, robot: Robot, *, bounded: bool = True) -> tuple[str, Path]:
     """The text of the task file for a run, and the file that messages name. It has what is frozen
     and bounded of the robot, where `bounded`.
 
     Raises TypeError where the robot is no Robot or the tasks are none.
     """
-    if not isinstance(robot, Robot):
-        raise TypeError(
-            f'robot is {kind_of(robot)}; expected a legwright.Robot, as Robot("robot.xml")'
-        )
+    check_robot(robot)
     if isinstance(tasks, Task):
         text, file = tasks.text(robot), tasks.file
     else:

@@ -113,6 +113,8 @@ def test_without_a_period_it_is_the_first_task_of_the_robot(puppy):
     task = lw.Task('trot', (0.1, 0.0))
     with pytest.raises(ValueError, match='needs the robot'):
         task.text()
+    with pytest.raises(TypeError, match='expected a legwright.Robot'):
+        task.text(3)
     content = tomllib.loads(task.text(puppy))
     starter = tomllib.loads(puppy._model.starter_text('trot'))
     assert content['gait'] == starter['gait']
