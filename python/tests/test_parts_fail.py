@@ -78,7 +78,7 @@ def test_what_is_not_reached_is_told_by_what_it_is(kind, on_trunk, places, remed
     none = np.zeros((0, 3))
     found = [Place(name, False, np.zeros(3), -UP, None, none) for name in places.split()]
     words = SimpleNamespace(name='MY-1', kind=kind, cable=())
-    module = SimpleNamespace(of='it', places=found, words=words)
+    module = SimpleNamespace(of='it', places=found, words=words, shapes=())
     horn = Place('horn', True, np.zeros(3), UP, None, none)
     servo = SimpleNamespace(
         of='below', places=[horn], words=SimpleNamespace(name='MY-2', kind='servo')
@@ -92,6 +92,34 @@ def test_what_is_not_reached_is_told_by_what_it_is(kind, on_trunk, places, remed
     assert set(failed(checks)) == {'reaches it'} and len(checks) == (1 if on_trunk else 2)
     assert remedy in checks[0].remedy
     assert checks[0].where == (f'nearest 9.6 mm before {places}' if places else '')
+
+
+@pytest.mark.parametrize('ribs, stands', [((-12, 10), True), ((6, 10), False), ((), False)])
+def test_what_stands_on_ribs_beside_its_middle_is_held(ribs, stands):
+    """A battery 30 mm above the floor of the trunk: on two ribs, on two at one side, on none."""
+    bottom = Place('bottom', False, np.array([0, 0, -0.005]), -UP, None, np.zeros((0, 3)))
+    words = SimpleNamespace(name='MY-1', kind='battery', cable=())
+    box = Shape('box', np.array([0.02, 0.01, 0.005]), np.zeros(3), np.eye(3))
+    module = SimpleNamespace(of='it', places=[bottom], words=words, shapes=(box,))
+    shape = Manifold.cube((60, 60, 3)).translate((-30, -30, -38))
+    for x in ribs:
+        shape += Manifold.cube((2, 20, 30.85)).translate((x, -10, -36))
+    link = SimpleNamespace(servo=None, modules=(module,))
+    (check,) = reaches(SimpleNamespace(link=link, shape=shape, fixings=[]), 'trunk')
+    assert check.passed == stands
+    assert ('stands on' in check.where) == stands
+    assert stands or 'right under it at both sides of its middle' in check.remedy
+
+
+def test_a_head_is_let_in_where_a_slanted_side_comes_near():
+    """Through 5 mm of a cone the hole would end 0.1 mm from its side."""
+    module = SimpleNamespace(of='servo')
+    points = np.array([[0.006, 0, 0], [-0.006, 0, 0]])
+    place = Place('horn', True, np.zeros(3), UP, 'M2', points)
+    cone = Manifold.cylinder(5, 10, 7).translate((0, 0, 1))
+    holes = holes_of(Fixing(module, place, np.zeros(3), UP, points), cone, 1.2)
+    assert [hole.clamped for hole in holes] == [2.5, 2.5]
+    assert min(hole.edge for hole in holes) > 1.2
 
 
 def test_figures_say_what_they_are_shares_of():

@@ -169,7 +169,8 @@ def _lets_in(
 def holes_of(fixing: Fixing, solid: Manifold, wall: float) -> list[Hole]:
     """The holes of an attachment through a solid that has none yet.
 
-    Heads are let in where all of them find room; those that go through much are let in anyway.
+    Heads are let in where all of them find room; those that go through much, or through a slanted
+    side, are let in anyway.
     """
     if fixing.place.screw is None:
         return []
@@ -189,13 +190,13 @@ def holes_of(fixing: Fixing, solid: Manifold, wall: float) -> list[Hole]:
     )
     out = []
     for start, begins, ends in ways:
-        clamped = ends - begins
-        width = screw.clearance
-        if sunk or clamped > _DEEP * screw.nominal:
-            width = around_head
-            clamped = _CLAMPED * screw.nominal
-        radius = screw.clearance / 2
-        edge = _edge(solid, start + begins * axis, axis, clamped, radius) if clamped else -radius
+        clamped, width, radius = ends - begins, screw.clearance, screw.clearance / 2
+        first, seat = start + begins * axis, _CLAMPED * screw.nominal
+        edge = _edge(solid, first, axis, clamped, radius) if clamped else -radius
+        is_slanted = edge < wall and clamped > seat  # a side comes near above where a head may sit
+        if sunk or clamped > _DEEP * screw.nominal or is_slanted:
+            width, clamped = around_head, seat
+            edge = _edge(solid, first, axis, clamped, radius)
         out.append(Hole(fixing, screw, start, axis, begins, clamped, edge, spacing - width))
     return out
 

@@ -4,12 +4,18 @@
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from legwright.parts._checks import Check
 from legwright.parts._holes import REACH, gap_before, is_covered
 from legwright.parts._robot import Module
 from legwright.parts._shapes import MM, joined, outline
 from legwright.parts._slots import cable_places, slot_before
 from legwright.parts._solids import Solid
+
+_STANDS = 50.0
+"""Area of what a module stands on, at least [mm2]."""
+_UNDER = 0.5  # [mm]: what begins within that is what it stands on
 
 
 def _cure(solid: Solid, module: Module, is_horn: bool) -> str:
@@ -34,9 +40,10 @@ def _cure(solid: Solid, module: Module, is_horn: bool) -> str:
         )
     if on_trunk:
         return (
-            f'no attachment of it is covered: material must begin within {REACH:g} mm before one; '
-            "move it to the tray's floor or side (position of its [[part]] in the assembly), or "
-            'give the trunk another size under [trunk]'
+            'no attachment of it is covered, and it does not stand on the tray: material must '
+            f'begin within {REACH:g} mm before one, or right under it at both sides of its middle; '
+            'move it over the tray, to its floor or side (position of its [[part]] in the '
+            'assembly), or give the trunk another size under [trunk]'
         )
     return (
         'no attachment of it is covered: move it further away (foot_offset of its [[limb]] in the '
@@ -94,6 +101,32 @@ def _nearest(solid: Solid, module: Module) -> str:
     return f'nearest {gap:.1f} mm before {name}' if math.isfinite(gap) else ''
 
 
+def stands_on(solid: Solid, module: Module) -> float:
+    """The area on which a module stands on the trunk [mm2].
+
+    0 where it would fall over: where its middle is not over the box of what is under it.
+    """
+    if not module.shapes:
+        return 0.0
+    body = outline(module)
+    x0, y0, low, x1, y1, _ = body.bounding_box()
+    top = solid.shape.trim_by_plane((0, 0, -1), -low).trim_by_plane((0, 0, 1), low - _UNDER)
+    under = top ^ body.translate((0, 0, -_UNDER))
+    if under.is_empty():
+        return 0.0
+    box, middle = np.array(under.bounding_box()), np.array([(x0 + x1) / 2, (y0 + y1) / 2])
+    is_over = (box[:2] < middle).all() and (middle < box[3:5]).all()
+    return float(under.volume()) / _UNDER if is_over else 0.0
+
+
+def _standing(solid: Solid, module: Module) -> str:
+    """In words, of what rides on the trunk beside its attachments; empty where it does not."""
+    if solid.link.servo is not None or module.words.kind == 'servo':
+        return ''
+    area = stands_on(solid, module)
+    return f'stands on {area:.0f} mm2' if area >= _STANDS else ''
+
+
 def reaches(solid: Solid, part: str) -> list[Check]:
     """Whether it reaches the horn that turns it, and each module on its link."""
     wanted = [(each, False) for each in solid.link.modules]
@@ -106,8 +139,9 @@ def reaches(solid: Solid, part: str) -> list[Check]:
             for fixing in solid.fixings
             if fixing.module.of == module.of and fixing.place.on_horn == is_horn
         ]
-        good = bool(found)
-        where = ', '.join(found)
+        standing = '' if found or is_horn else _standing(solid, module)
+        good = bool(found or standing)
+        where = standing or ', '.join(found)
         cure = '' if good else _cure(solid, module, is_horn)
         if not good and not is_horn:
             where = _nearest(solid, module)
@@ -118,7 +152,7 @@ def reaches(solid: Solid, part: str) -> list[Check]:
                 part,
                 f'reaches the horn of {module.of}' if is_horn else f'reaches {module.of}',
                 good,
-                float(len(found)),
+                float(len(found) or bool(standing)),
                 'attachments',
                 'at least 1',
                 where,

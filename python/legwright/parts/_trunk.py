@@ -16,7 +16,7 @@ from legwright.parts._straps import Strap, straps_of
 from legwright.parts._words import Array, Place
 
 _WALL = 2.0  # times the least wall
-_LOW = 15.0  # [mm] over the floor: what hangs higher stands on nothing
+_LOW = 15.0  # [mm] over the floor: servos that hang higher have a cradle on the walls alone
 _INTO = 0.1  # [mm] that what stands on the floor goes into it
 _RIB = 0.2  # of a length: where ribs are
 _SOLID = 4.0  # times the wall: trunks that are lower are plates
@@ -80,9 +80,9 @@ def trunk_solid(robot: BuiltRobot, least: float, fit: float) -> TrunkSolid:
     """The trunk's box as a tray, with walls of twice the least one.
 
     A servo gets a cradle: walls around it, but not above, from where it is put in, and not before
-    its horn; what else hangs over the floor stands on ribs. Cut out are the modules, grown by the
-    fit, with their way in from above, slots for their cables, what is just before the horns, what
-    the links there pass through, and slots for ties.
+    its horn; what else is over the floor stands on ribs, however high, which rise from the box. Cut
+    out are the modules, grown by the fit, with their way in from above, slots for their cables,
+    what is just before the horns, what the links there pass through, and slots for ties.
     """
     wall = _WALL * least
     trunk, link = _box(robot), trunk_link(robot)
@@ -114,19 +114,21 @@ def _floor(shape: Shape, wall: float) -> tuple[float, float]:
 
 
 def _stands(trunk: Module, module: Module, wall: float, fit: float) -> list[Manifold]:
-    """What fills the room between a module, or its cradle, and the floor, where that is low."""
+    """What fills the room between a module, or the low cradle of a servo, and the floor."""
     is_servo = module.words.kind == 'servo'
     body = outline(module, fit + wall if is_servo else fit)
     low = body.bounding_box()[2]
     gap = low - max(_floor(shape, wall)[0] for shape in trunk.shapes)
-    if not 0 < gap < _LOW:
+    if gap <= 0 or (is_servo and gap >= _LOW):
         return []
     solid = Manifold.batch_hull([body, body.translate((0, 0, -gap - _INTO))])
     solid = solid.trim_by_plane((0, 0, -1), -low - (wall if is_servo else 0.0))
-    box = joined([grown(shape, 0.0) for shape in trunk.shapes])
+    boxes = [grown(shape, 0.0) for shape in trunk.shapes]
     if is_servo:
-        return [solid ^ box]
-    return [(solid ^ rib) ^ box for rib in _ribs(module, wall)]
+        return [solid ^ joined(boxes)]
+    up = tuple(_FAR * _UP)
+    over = joined([Manifold.batch_hull([box, box.translate(up)]) for box in boxes])
+    return [(solid ^ rib) ^ over for rib in _ribs(module, wall)]
 
 
 def _ribs(module: Module, wall: float) -> list[Manifold]:
