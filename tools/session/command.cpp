@@ -100,11 +100,20 @@ void fields(Choose& c, F&& f) {
   f("goes_on", c.goes_on);
 }
 
+// What was found can be found again: where it cannot be read, it is missing.
 void read_field(const char*, const Json& found, std::optional<Found>& value) {
-  value = found_of(found);
+  try {
+    value = found_of(found);
+  } catch (const std::exception&) {
+    value.reset();
+  }
 }
 void read_field(const char*, const Json& found, std::shared_ptr<const Alternatives>& value) {
-  value = std::make_shared<const Alternatives>(alternatives_of(found));
+  try {
+    value = std::make_shared<const Alternatives>(alternatives_of(found));
+  } catch (const std::exception&) {
+    value.reset();
+  }
 }
 void read_field(const char* key, const Json& found, int& value) {
   if (!found.is_number_integer() || found < 0 || found > std::numeric_limits<int>::max())

@@ -48,7 +48,7 @@ SessionEngine::SessionEngine(RobotModel robot, const std::string& text,
       std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   SessionState first;
   first.problem = problem;
-  first.of_given = std::make_shared<GivenMotions>();
+  first.given_motions = std::make_shared<GivenMotions>();
   first.given = given_body(robot_.space, problem->set.design);
   VectorXd s = first.given;
   first.lower = robot_.space.lower();
@@ -197,7 +197,7 @@ void SessionEngine::apply(const session::Tasks& tasks) {
       std::make_shared<const CodesignProblem>(make_problem(std::move(set), robot_));
   const VectorXd s = state_->s();
   next.problem = problem;
-  next.of_given = std::make_shared<GivenMotions>();
+  next.given_motions = std::make_shared<GivenMotions>();
   next.weights.clear();
   next.cold.clear();
   next.base = nullptr;
@@ -317,8 +317,8 @@ std::shared_ptr<const DesignPoint> SessionEngine::adopted(const Found& found) {
 void SessionEngine::keep_given(const SessionState& before) {
   const bool cold = std::all_of(before.cold.begin(), before.cold.end(), [](bool c) { return c; });
   if (!cold || before.s() != before.problem->robot.space.initial()) return;
-  Found found = found_in(*state_);
-  state_->of_given->set({std::move(found.motions), std::move(found.status)});
+  if (auto found = found_in(*state_))
+    state_->given_motions->set({std::move(found->motions), std::move(found->status)});
 }
 
 SearchRules SessionEngine::rules() {

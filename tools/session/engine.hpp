@@ -59,6 +59,10 @@ class SessionEngine {
   void apply(const session::Choose& choose);
   void apply(const SessionCommand& command);
 
+  /// The command as the journal has it, with what it came to.
+  /// @param before the state that it was obeyed in
+  SessionCommand as_done(SessionCommand command, const SessionState& before) const;
+
   /// Solves for the motions of the body as it stands. False where stopped or F is not finite: then
   /// nothing has changed.
   bool settle();
@@ -93,6 +97,7 @@ class SessionEngine {
   std::shared_ptr<const DesignPoint> point_of(const std::optional<Found>& found);
   std::shared_ptr<const DesignPoint> adopted(const Found& found);
   bool go_to(const std::optional<Found>& found, int iterations);
+  bool are_as_found(const Alternatives& all);
   [[noreturn]] static void refuse(const std::string& where, const std::string& message);
 
   RobotModel robot_;  // with the bounds of its file

@@ -40,10 +40,18 @@ bool SessionEngine::work_out(AlternativeKind kind, const std::function<void()>& 
   return true;
 }
 
+/// Whether designs of a journal are of this problem, with the F that they had.
+bool SessionEngine::are_as_found(const Alternatives& all) {
+  if (!fits(all, *state_)) return false;
+  return std::all_of(all.designs.begin(), all.designs.end(), [&](const Alternative& one) {
+    return same_values({one.s, one.motions, one.values, {}}, *shown(one.s, one.motions));
+  });
+}
+
 void SessionEngine::apply(const session::WorkedOut& worked_out) {
   const AlternativeKind kind = kind_of(worked_out.what);
   AlternativesPointer found;
-  if (worked_out.found && worked_out.found->kind == kind && fits(*worked_out.found, *state_)) {
+  if (worked_out.found && worked_out.found->kind == kind && are_as_found(*worked_out.found)) {
     auto all = std::make_shared<Alternatives>(*worked_out.found);
     all->problem = state_->problem;
     found = std::move(all);

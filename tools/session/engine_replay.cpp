@@ -49,4 +49,20 @@ void SessionEngine::apply(const session::Step& step) {
   if (!go_to(step.found, 1)) (void)this->step();
 }
 
+SessionCommand SessionEngine::as_done(SessionCommand command, const SessionState& before) const {
+  const bool moved = state_->now != before.now;
+  const std::optional<Found> found = moved ? found_in(*state_) : std::nullopt;
+  if (auto* settled = std::get_if<session::Settled>(&command)) {
+    settled->found = found;
+  } else if (auto* step = std::get_if<session::Step>(&command)) {
+    step->found = found;
+  } else if (auto* searched = std::get_if<session::Searched>(&command)) {
+    if (moved) searched->points = state_->iterations - before.iterations;
+    searched->found = found;
+  } else if (auto* worked_out = std::get_if<session::WorkedOut>(&command)) {
+    worked_out->found = this->worked_out(kind_of(worked_out->what));
+  }
+  return command;
+}
+
 }  // namespace legwright

@@ -50,6 +50,18 @@ std::vector<VectorXd> all_unpacked(const Json& json) {
   return out;
 }
 
+int index_of(const Json& json) {
+  if (!json.is_number_integer() || json < 0 || json > std::numeric_limits<int>::max())
+    throw std::invalid_argument("is no whole number that counts");
+  return json.get<int>();
+}
+
+std::vector<int> indices_of(const Json& json) {
+  std::vector<int> out;
+  for (const Json& one : json) out.push_back(index_of(one));
+  return out;
+}
+
 SolveStatus status_of(const Json& json) {
   const auto word = json.get<std::string>();
   const auto found = std::find_if(kStatuses.begin(), kStatuses.end(),
@@ -70,10 +82,11 @@ bool are_motions(const std::vector<VectorXd>& motions, const CodesignProblem& pr
 
 }  // namespace
 
-Found found_in(const SessionState& state) {
+std::optional<Found> found_in(const SessionState& state) {
   Found out;
   out.s = state.s();
   for (const TaskIterate& task : state.now->tasks) {
+    if (!std::isfinite(task.value + task.outer_value)) return std::nullopt;
     out.motions.push_back(task.m);
     out.values.push_back(task.value + task.outer_value);
     out.status.push_back(task.motion_status);
@@ -94,7 +107,8 @@ bool fits(const Found& found, const SessionState& state) {
 bool same_values(const Found& found, const DesignPoint& point) {
   for (std::size_t k = 0; k < point.tasks.size(); ++k) {
     const double now = point.tasks[k].value + point.tasks[k].outer_value;
-    if (!(std::abs(now - found.values[k]) <= kSameValue * std::abs(now))) return false;
+    if (!std::isfinite(now) || !(std::abs(now - found.values[k]) <= kSameValue * std::abs(now)))
+      return false;
   }
   return true;
 }
@@ -147,13 +161,13 @@ Alternatives alternatives_of(const Json& json) {
     out.designs.push_back({unpacked(one.at("s")), all_unpacked(one.at("motions")),
                            one.at("weights").get<std::vector<double>>(),
                            one.at("values").get<std::vector<double>>(),
-                           one.at("changed").get<std::vector<int>>()});
+                           indices_of(one.at("changed"))});
   json.at("given_value").get_to(out.given_value);
-  json.at("fewest").get_to(out.fewest);
+  out.fewest = static_cast<std::size_t>(index_of(json.at("fewest")));
   for (const Json& one : json.at("worths")) {
     const Json& worth = one.at("worth");
     out.worths.push_back(
-        {one.at("parameter").get<int>(), one.at("given").get<double>(),
+        {index_of(one.at("parameter")), one.at("given").get<double>(),
          worth.is_null() ? std::numeric_limits<double>::infinity() : worth.get<double>()});
   }
   return out;
@@ -169,7 +183,7 @@ bool fits(const Alternatives& all, const SessionState& state) {
            one.values.size() == tasks &&
            std::all_of(one.changed.begin(), one.changed.end(), is_parameter);
   });
-  return designs && all.fewest < std::max<std::size_t>(all.designs.size(), 1) &&
+  return designs && all.fewest < all.designs.size() &&
          std::all_of(all.worths.begin(), all.worths.end(),
                      [&](const ChangeWorth& one) { return is_parameter(one.parameter); });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "optimizer/solve/status.hpp"
@@ -20,8 +21,8 @@ struct Found {
   std::vector<SolveStatus> status;  // of each motion
 };
 
-/// What a state stands at.
-Found found_in(const SessionState& state);
+/// What a state stands at; nothing where F is not finite there.
+std::optional<Found> found_in(const SessionState& state);
 /// Whether these are a body within the state's bounds and motions of its tasks, of the right sizes.
 bool fits(const Found& found, const SessionState& state);
 /// Whether F and J of the point are what they were when this was found, but for rounding.

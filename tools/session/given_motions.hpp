@@ -22,21 +22,21 @@ struct SolvedMotions {
 /// from them, and each run that it is saved as tells them. May be asked from any thread.
 class GivenMotions {
  public:
-  /// What was solved for already. The first that is told stays.
-  void set(SolvedMotions found) {
-    const std::lock_guard lock(mutex_);
-    if (!found_) found_ = std::move(found);
+  /// What was solved for already. The first that is told stays; nobody is waited for.
+  void set(SolvedMotions solved) {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock && !known_) known_ = std::move(solved);
   }
   /// @param solve called where nobody has solved for them yet; what it throws is passed on
   SolvedMotions get(const std::function<SolvedMotions()>& solve) {
     const std::lock_guard lock(mutex_);
-    if (!found_) found_ = solve();
-    return *found_;
+    if (!known_) known_ = solve();
+    return *known_;
   }
 
  private:
   std::mutex mutex_;
-  std::optional<SolvedMotions> found_;
+  std::optional<SolvedMotions> known_;
 };
 
 }  // namespace legwright

@@ -89,7 +89,7 @@ ReadJournal read_journal(const fs::path& file) {
 
 SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file,
                                std::size_t most_found)
-    : begin_(begin), room_(most_found) {
+    : text_(event_line(json_of(begin)) + "\n"), room_(most_found) {
   if (file.empty()) return;
   if (fs::exists(fs::symlink_status(file))) {
     if (!is_journal(file))
@@ -97,23 +97,19 @@ SessionJournal::SessionJournal(const SessionBegin& begin, const fs::path& file,
     fs::remove(file);
   }
   log_ = std::make_unique<EventLog>(file);
-  log_->append(json_of(begin_));
+  log_->append(json_of(begin));
 }
 
 void SessionJournal::add(const SessionCommand& command) {
-  commands_.push_back(command);
-  write(line_of(commands_.back()));
-}
-
-void SessionJournal::searching(const session::Searched& so_far) {
-  SessionCommand command = so_far;
-  Json line = line_of(command);
-  line["do"] = kSearching;
+  const Json line = line_of(command);
+  text_ += event_line(line) + "\n";
   write(line);
 }
 
-/// The command's line. What it found goes where there is no room for more.
-Json SessionJournal::line_of(SessionCommand& command) {
+void SessionJournal::searching(int points) { write({{"do", kSearching}, {"points", points}}); }
+
+/// The command's line, without what it found where there is no room for more.
+Json SessionJournal::line_of(const SessionCommand& command) {
   Json line = json_of(command);
   const auto found = line.find("found");
   if (found == line.end()) return line;
@@ -122,9 +118,9 @@ Json SessionJournal::line_of(SessionCommand& command) {
     room_ -= size;
     return line;
   }
-  room_ = 0;  // what comes after a gap would not be reached without a solve
-  command = without_found(std::move(command));
   line.erase("found");
+  // Where a state is missing, those behind it are not come to without a solve.
+  if (!std::holds_alternative<session::WorkedOut>(command)) room_ = 0;
   return line;
 }
 
@@ -137,12 +133,6 @@ void SessionJournal::write(const Json& line) {
     log_.reset();
     throw;
   }
-}
-
-std::string SessionJournal::text() const {
-  std::string text = event_line(json_of(begin_)) + "\n";
-  for (const SessionCommand& command : commands_) text += event_line(json_of(command)) + "\n";
-  return text;
 }
 
 }  // namespace legwright

@@ -48,18 +48,17 @@ class SessionJournal {
 
   /// Throws std::system_error where the file cannot be written, say on a full disk: it ends there.
   void add(const SessionCommand& command);
-  /// The search that goes on has come so far: for a process that dies meanwhile. Throws likewise.
-  void searching(const session::Searched& so_far);
-  const std::vector<SessionCommand>& commands() const { return commands_; }
+  /// The search that goes on has had so many points: for a process that dies meanwhile. Throws
+  /// likewise.
+  void searching(int points);
   /// The same as the file has it, without what searches told on their way.
-  std::string text() const;
+  const std::string& text() const { return text_; }
 
  private:
   void write(const Json& line);
-  Json line_of(SessionCommand& command);
+  Json line_of(const SessionCommand& command);
 
-  SessionBegin begin_;
-  std::vector<SessionCommand> commands_;
+  std::string text_;
   std::unique_ptr<EventLog> log_;
   std::size_t room_;  // for what is found yet [bytes]
 };

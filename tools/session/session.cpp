@@ -198,7 +198,7 @@ void Session::search() {
     publish(SessionEvent::Kind::point);
     const auto now = std::chrono::steady_clock::now();
     if (points == 1 || now - noted > kSearchNoted) {
-      write_journal([&] { journal_.searching({points, found_in(*engine_.state())}); });
+      write_journal([&] { journal_.searching(points); });
       noted = now;
     }
   });
@@ -234,7 +234,7 @@ void Session::work_out_now(AlternativeKind kind) {
   try {
     done = engine_.work_out(kind, {});
   } catch (const InputError& error) {
-    why = error.what();
+    why = error.message();
   }
   if (!done && why.empty()) {
     if (interrupted()) return;

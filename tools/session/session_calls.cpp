@@ -82,6 +82,7 @@ void Session::obey_all(const std::vector<SessionCommand>& commands, bool held) {
          std::holds_alternative<session::Settled>(command) ||
          std::holds_alternative<session::Choose>(command) ||
          std::holds_alternative<session::Step>(command));
+    const StatePointer before = engine_.state();
     try {
       engine_.apply(command);
     } catch (...) {
@@ -89,7 +90,7 @@ void Session::obey_all(const std::vector<SessionCommand>& commands, bool held) {
       throw;
     }
     hold(false);
-    note(command);
+    note(engine_.as_done(command, *before));
   }
   if (commands.empty()) return;
   moves_ = held;

@@ -22,11 +22,11 @@ struct DesignPoint {
 /// may keep it.
 struct SessionState {
   std::shared_ptr<const CodesignProblem> problem;
-  std::shared_ptr<GivenMotions> of_given;  // of that problem's initial body
-  std::vector<double> weights;             // wᵢ of each task
-  Eigen::VectorXd given;                   // the body that all changes are told from
-  Eigen::VectorXd lower, upper;            // bounds of s, within the robot's
-  std::vector<bool> frozen;                // of each parameter: stays where it is
+  std::shared_ptr<GivenMotions> given_motions;  // of that problem's initial body
+  std::vector<double> weights;                  // wᵢ of each task
+  Eigen::VectorXd given;                        // the body that all changes are told from
+  Eigen::VectorXd lower, upper;                 // bounds of s, within the robot's
+  std::vector<bool> frozen;                     // of each parameter: stays where it is
   std::vector<bool> cold;  // of each task: its motion is a first guess, nothing is solved yet
   std::shared_ptr<const DesignPoint> now;   // what is shown
   std::shared_ptr<const DesignPoint> base;  // the last with m*(s), from which motions are

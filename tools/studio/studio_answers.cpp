@@ -30,16 +30,18 @@ Json error_json(const std::string& message, const std::string& where = {}, int l
   return {{"error", {{"where", where}, {"message", message}, {"line", line}}}};
 }
 
-/// What the program would print, with files by their names alone; a session has none.
+/// What the program would print, with the file of a line by its name alone; a session has none.
 std::string told(const InputError& error) {
   std::string out;
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {
     constexpr std::string_view kSession = "<session>: ";
     if (line.starts_with(kSession)) line.erase(0, kSession.size());
-    const std::size_t end = line.find(':');
-    const bool path = line.starts_with('/') && end != std::string::npos && line.find(' ') > end;
-    if (path) line.erase(0, line.rfind('/', end) + 1);
+    const std::size_t end = line.find(": ");  // behind FILE:LINE
+    const std::size_t name =
+        end == std::string::npos ? end : line.find_last_not_of("0123456789", end - 1);
+    if (line.starts_with('/') && name < end - 1 && line[name] == ':')
+      line.erase(0, line.rfind('/', name) + 1);
     out += (out.empty() ? "" : "\n") + line;
   }
   return out;

@@ -55,7 +55,7 @@ PointPointer checked(PointPointer point) {
 PointPointer given_point(const SessionState& state, const std::vector<JointTask>& tasks,
                          DesignMotions& motions) {
   const Eigen::VectorXd given = state.problem->robot.space.initial();
-  const SolvedMotions solved = state.of_given->get([&] {
+  const SolvedMotions solved = state.given_motions->get([&] {
     std::vector<Eigen::VectorXd> first;
     first.reserve(tasks.size());
     for (const JointTask& task : tasks) first.push_back(task.guess(given));

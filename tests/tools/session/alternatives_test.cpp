@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <optional>
+
 #include "mjcf/text/input_error.hpp"
 #include "tests/tools/files/temporary_folder.hpp"
 #include "tests/tools/session/puppy.hpp"
@@ -88,7 +91,7 @@ TEST_F(FewestOfThePuppy, OneTakesThePlaceOfTheDesignAndIsUndoneAsOneStep) {
 
 TEST_F(FewestOfThePuppy, AReplayTakesWhatTheJournalHas) {
   search();
-  const Found searched = found_in(*engine_.state());
+  const std::optional<Found> searched = found_in(*engine_.state());
   const AlternativesPointer found = worked_out();
   engine_.apply(session::Choose{kFewest, 2});
   SessionEngine again(test::puppy(), read_file(test::kSideways), test::kSideways);
@@ -102,10 +105,17 @@ TEST_F(FewestOfThePuppy, AReplayTakesWhatTheJournalHas) {
     again.apply(command_of(json_of(command), "session.jsonl", 2));
   EXPECT_EQ(bits(*again.state()), bits(*engine_.state()));
   EXPECT_EQ(again.worked_out(AlternativeKind::fewest)->designs.size(), found->designs.size());
-  auto short_of = std::make_shared<Alternatives>(*found);
-  for (Alternative& each : short_of->designs) each.motions.clear();
-  again.apply(session::WorkedOut{kFewest, short_of});
-  EXPECT_FALSE(again.worked_out(AlternativeKind::fewest));
+  const std::vector<std::function<void(Alternatives&)>> spoils{
+      [](Alternatives& all) { all.designs[0].motions.clear(); },
+      [](Alternatives& all) { all.designs[1].values[0] *= 5.0; },
+      [](Alternatives& all) { all.designs[1].motions[0].setConstant(1e200); },
+      [](Alternatives& all) { all.designs.clear(); }};
+  for (const auto& spoil : spoils) {
+    auto spoilt = std::make_shared<Alternatives>(*found);
+    spoil(*spoilt);
+    again.apply(session::WorkedOut{kFewest, spoilt});
+    EXPECT_FALSE(again.worked_out(AlternativeKind::fewest));
+  }
 }
 
 TEST_F(FewestOfThePuppy, WhatIsLockedStaysAndRefusesDesignsOfBefore) {

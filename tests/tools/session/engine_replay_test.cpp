@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <thread>
 
@@ -39,8 +40,10 @@ class Replay : public testing::Test {
     commands_ = read_journal(options.journal).commands;
   }
 
-  static std::vector<double> end_of(const std::vector<SessionCommand>& commands) {
+  static std::vector<double> end_of(const std::vector<SessionCommand>& commands,
+                                    bool solves = true) {
     SessionEngine engine(test::puppy(), test::sideways(), test::kSideways);
+    if (!solves) engine.set_stop([] { return true; });
     for (const SessionCommand& command : commands) engine.apply(command);
     return bits(*engine.state());
   }
@@ -59,35 +62,50 @@ TEST_F(Replay, TakesWhatWasFoundToTheBitAndSolvesToTheSameWithoutIt) {
   EXPECT_EQ(end_of(asked), end_);
 }
 
-TEST_F(Replay, DoesNotSolveForWhatIsThere) {
-  SessionEngine engine(test::puppy(), test::sideways(), test::kSideways);
-  engine.set_stop([] { return true; });  // no solve gets anywhere
-  for (const SessionCommand& command : commands_) engine.apply(command);
-  EXPECT_EQ(bits(*engine.state()), end_);
-}
+TEST_F(Replay, DoesNotSolveForWhatIsThere) { EXPECT_EQ(end_of(commands_, false), end_); }
 
 TEST_F(Replay, SolvesAnewWhereFIsAnotherOrTheSizesDoNotFit) {
-  const std::vector<SessionCommand> whole = commands_;
-  first().values[0] *= 1.001;  // as of a program whose F is another
-  EXPECT_EQ(end_of(commands_), end_);
-  commands_ = whole;
-  first().motions[0].conservativeResize(7);
-  EXPECT_EQ(end_of(commands_), end_);
-  commands_ = whole;
-  first().motions.clear();
-  EXPECT_EQ(end_of(commands_), end_);
-  commands_ = whole;
-  first().s[0] += 1e-6;  // of another body
-  EXPECT_EQ(end_of(commands_), end_);
-  commands_ = whole;
-  first().motions[0][3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(end_of(commands_), end_);
+  const std::vector<std::function<void(Found&)>> spoils{
+      [](Found& found) { found.values[0] *= 1.001; },  // as of a program whose F is another
+      [](Found& found) { found.motions[0].conservativeResize(7); },
+      [](Found& found) { found.motions.clear(); },
+      [](Found& found) { found.s[0] += 1e-6; },  // of another body
+      [](Found& found) { found.motions[0][3] = std::numeric_limits<double>::quiet_NaN(); },
+      [](Found& found) { found.motions[0][3] = 1e160; }};
+  const std::vector<SessionCommand> whole{commands_.front()};
+  const std::vector<double> solved = end_of(whole, false);
+  for (std::size_t k = 0; k < spoils.size(); ++k) {
+    commands_ = whole;
+    spoils[k](first());
+    EXPECT_EQ(end_of(commands_), solved) << k;
+    EXPECT_NE(end_of(commands_, false), solved) << k << " was taken over";
+  }
 }
 
-TEST_F(Replay, ABodyOutsideOfTheBoundsIsNotTaken) {
-  for (SessionCommand& command : commands_)
-    if (auto* searched = std::get_if<session::Searched>(&command)) searched->found->s[0] = 9.0;
-  EXPECT_EQ(end_of(commands_), end_);
+TEST_F(Replay, FitsWhatIsWithinTheBoundsAndNotFrozen) {
+  const SessionEngine engine(test::puppy(), test::sideways(), test::kSideways);
+  Found found = first();
+  EXPECT_TRUE(fits(found, *engine.state()));
+  found.s[0] = 9.0;
+  EXPECT_FALSE(fits(found, *engine.state()));
+  SessionState frozen = *engine.state();
+  frozen.frozen[1] = true;
+  found = first();
+  EXPECT_TRUE(fits(found, frozen));
+  found.s[1] *= 1.001;
+  EXPECT_FALSE(fits(found, frozen));
+  EXPECT_TRUE(fits(found, *engine.state()));
+}
+
+/// What a replay had to solve for stands in its own journal.
+TEST_F(Replay, LeavesAJournalThatNeedsNoSolve) {
+  for (SessionCommand& command : commands_) command = without_found(command);
+  const test::TemporaryFolder folder;
+  Session::Options options;
+  options.journal = folder.path() / "session.jsonl";
+  options.commands = commands_;
+  Session(test::puppy(), test::sideways(), test::kSideways, options).close();
+  EXPECT_EQ(end_of(read_journal(options.journal).commands, false), end_);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST_F(Journal, ComesBackLineByLineAndIsThereAtOnce) {
   journal.add(session::Settled{});
   const ReadJournal read = read_journal(file_);  // while it is open
   ASSERT_EQ(read.commands.size(), 2u);
-  EXPECT_EQ(json_of(read.commands[0]), json_of(journal.commands()[0]));
+  EXPECT_EQ(json_of(read.commands[0]), json_of(session::Edit{{{"front_thigh_length", 0.1}}}));
   EXPECT_EQ(journal.text(), read_file(file_));
 }
 
@@ -46,10 +46,10 @@ TEST_F(Journal, ARobotIsKnownByWhatACopyOfItHas) {
 
 TEST_F(Journal, ASearchThatDiedCountsWithThePointsThatItHad) {
   SessionJournal journal(begin_, file_);
-  journal.searching({3});
+  journal.searching(3);
   journal.add(session::Searched{5});
-  journal.searching({7});
-  journal.searching({9});
+  journal.searching(7);
+  journal.searching(9);
   write_file(file_, read_file(file_) + "{\"do\":\"undo\",\"crc\":\"0");  // torn
   const ReadJournal read = read_journal(file_);
   ASSERT_EQ(read.commands.size(), 2u);
@@ -61,9 +61,9 @@ TEST_F(Journal, HasNoMoreOfWhatWasFoundThanIsReadAgain) {
   const Found found{
       Eigen::VectorXd::Ones(3), {Eigen::VectorXd::Ones(50)}, {1.0}, {SolveStatus::converged}};
   const std::size_t one = json_of(found).dump().size();
-  SessionJournal journal(begin_, file_, 2 * one + 1);
+  SessionJournal journal(begin_, file_, 2 * one - 1);
   journal.add(session::Settled{found});
-  journal.searching({7, found});
+  journal.searching(7);
   journal.add(session::Searched{9, found});
   journal.add(session::Settled{Found{}});  // small; but a gap is before it
   const ReadJournal read = read_journal(file_);
@@ -71,8 +71,6 @@ TEST_F(Journal, HasNoMoreOfWhatWasFoundThanIsReadAgain) {
   EXPECT_TRUE(std::get<session::Settled>(read.commands[0]).found);
   EXPECT_FALSE(std::get<session::Searched>(read.commands[1]).found);
   EXPECT_FALSE(std::get<session::Settled>(read.commands[2]).found);
-  for (std::size_t k = 0; k < read.commands.size(); ++k)
-    EXPECT_EQ(json_of(read.commands[k]), json_of(journal.commands()[k]));
 }
 
 TEST_F(Journal, WhatIsNoneIsRefused) {

@@ -171,18 +171,18 @@ TEST(SaveSession, TheGivenBodyIsSolvedForOnceToTheSameBytes) {
   session.apply(session::Edit{{{"front_thigh_length", 0.061}}});
   const SessionRecord record = session.record();
   SessionState unknown = *record.state;
-  unknown.of_given = std::make_shared<GivenMotions>();
+  unknown.given_motions = std::make_shared<GivenMotions>();
   int solves = 0;
   const auto solve = [&] {
     ++solves;
     return SolvedMotions{};
   };
-  (void)record.state->of_given->get(solve);
+  (void)record.state->given_motions->get(solve);
   EXPECT_EQ(solves, 0) << "the session began with it";
   save_session(record, root.path() / "known", false);
   save_session({std::make_shared<const SessionState>(unknown), record.journal},
                root.path() / "solved", false);
-  (void)unknown.of_given->get(solve);
+  (void)unknown.given_motions->get(solve);
   EXPECT_EQ(solves, 0) << "the next time it is known";
   EXPECT_EQ(read_file(root.path() / "known/iterations/0000/motion.csv"),
             read_file(root.path() / "solved/iterations/0000/motion.csv"));

@@ -29,7 +29,7 @@ IN_SIGHT = """() => {
               words: words.trim().slice(0, 50) }];
   });
 }"""
-NOTICES = """() => [...document.querySelectorAll("[role=alert], [role=status]")]
+NOTICES = """() => [...document.querySelectorAll(".notice, dialog[open] [role=alert]")]
     .map((each) => each.innerText.trim()).filter(Boolean)"""
 KEYS = ('Escape', 'Control+z', 'Control+y', 'Space', 'Enter', 'ArrowLeft', 'Tab', 'Delete', 's')
 TYPED = ('0', '1', '-1', '0.1', '1e9', 'abc', '', '0,5', 'ü x', '  ')
@@ -110,6 +110,7 @@ class ByChance(unittest.TestCase):
                 self.assertTrue(page.js(NOTICES), f'{what}: refused without a word')
             self.assertNotRegex(page.js('document.body.innerText'), NO_WORDS, what)
             self.assertIsNone(self.server.process.poll(), what)
+        self.assertEqual([each for each in page.console if not REFUSED.search(each)], [])
         for _ in range(3):  # out of dialogs
             page.page.keyboard.press('Escape')
         if page.js('document.body.dataset.page') == 'workspace':

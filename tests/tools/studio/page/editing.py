@@ -64,13 +64,13 @@ class Editing(OwnStudio):
         while not came:
             studio.page.wait_for_timeout(20)
         studio.until('document.body.dataset.page === "workspace"')
-        self.assertTrue(studio.js('document.querySelector(".workspace").inert'))
+        self.assertTrue(studio.js('document.querySelector(".workspace > .panes").inert'))
         for key in ('s', 'o', 'ArrowDown', 'l', '+', 'Control+z'):
             studio.page.keyboard.press(key)
         came[0].continue_()
         studio.page.unroute('**/api/document')
         studio.ready()
-        self.assertFalse(studio.js('document.querySelector(".workspace").inert'))
+        self.assertFalse(studio.js('document.querySelector(".workspace > .panes").inert'))
         self.assertEqual(studio.console, [])
 
     def hold_one(self, studio):

@@ -144,7 +144,6 @@ export function takeKeys(studio) {
   addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || document.body.dataset.page !== "workspace")
       return;
-    if (!studio.store.get("document")) return;
     if (event.ctrlKey || event.metaKey) {
       const act = {
         z: () => studio.command(event.shiftKey ? "redo" : "undo"),
@@ -156,7 +155,7 @@ export function takeKeys(studio) {
       act();
       return;
     }
-    if (typing(event.target)) return;
+    if (typing(event.target) || !studio.store.get("document")) return;
     if (moveCamera(studio.view, event)) return event.preventDefault();
     const act = plain[event.key] ?? plain[event.key.toLowerCase()];
     if (act && act(event) !== false) event.preventDefault();

@@ -38,7 +38,8 @@ export class Workspace {
     studio.list = new ParameterList(studio);
     studio.changes = new ChangesPanel(studio);
     this.physics = studio.physics = new PhysicsPanel(studio);
-    this.element = h("div.workspace", {}, this.topBar(), this.panes());
+    this.below = this.panes();
+    this.element = h("div.workspace", {}, this.topBar(), this.below);
     studio.pointer = new Pointer(studio.view, this.pointerActs());
     studio.showWorkspace = (name) => this.show(name);
     this.follow();
@@ -208,7 +209,7 @@ export class Workspace {
     const { studio } = this;
     const { store, view } = studio;
     // Nothing can be asked of what is not known yet.
-    const known = () => (this.element.inert = !store.get("document"));
+    const known = () => (this.below.inert = !store.get("document"));
     known();
     store.on(["document", "forgotten"], known);
     store.on("document", (document) => {

@@ -70,7 +70,7 @@ export class Palette {
         ? [h("h3", {}, title), h("ul", {}, some.map(({ name }) => this.cards.get(name)))]
         : "";
     });
-    const none = groups.every((group) => group === "");
+    const none = wanted && groups.every((group) => group === "");
     fill(this.list, none ? h("p.hint", {}, "No module has this in its name, maker or kind.") : groups);
   }
 
