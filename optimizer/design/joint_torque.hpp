@@ -6,6 +6,7 @@
 
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/momentum.hpp"
+#include "optimizer/design/motion_curvature.hpp"
 
 namespace legwright {
 
@@ -53,7 +54,21 @@ class JointTorque {
                const std::vector<FootForce>& forces, const Slots& slots, int column_count);
   /// Adds ∂τ to `jacobian` (columns × 1).
   void add_jacobian(Eigen::MatrixXd& jacobian) const;
-  /// Adds multiplier · ∂²τ to the lower triangle of `hessian` (columns × columns).
+  /// Loads of the poses and pairs of PoseTriple.
+  struct Loads {
+    PoseLoads &before, &at, &after;
+    PairLoads &to_at, &to_after;
+  };
+  /// Adds multiplier · ∂²τ/∂m² to `loads`, but for what add_products adds; where compute() had no
+  /// coordinates of the design.
+  void add_loads(const Morphology& morphology, const GeometryAtDesign& geometry,
+                 const Ancestry& ancestry, const PoseTriple& poses, int link, double multiplier,
+                 const Loads& loads) const;
+  /// Adds what multiplier · ∂²τ has of products of first derivatives to the lower triangle of
+  /// `hessian` (columns × columns).
+  void add_products(double multiplier, Eigen::MatrixXd& hessian) const;
+  /// Adds multiplier · ∂²τ to the lower triangle of `hessian` (columns × columns); where compute()
+  /// had coordinates of the design.
   void add_curvature(const Ancestry& ancestry, double multiplier, Eigen::MatrixXd& hessian) const;
 
  private:
@@ -61,21 +76,32 @@ class JointTorque {
     PointDerivatives centre;  // of the foot's ball
     Eigen::Vector3d contact;  // e − r ẑ
     Eigen::Vector3d force;
-    int column;                // of the force
+    int foot, column;          // column: of the force
     Eigen::MatrixXd jacobian;  // of the centre
   };
-  void sum_parts(int column_count);
+  /// Vectors and their derivatives by the coordinates of the motion, and of the design, too.
+  void derive_by_motion(const Morphology& morphology, const GeometryAtDesign& geometry,
+                        const Ancestry& ancestry, const PoseTriple& poses, int link,
+                        const Slots& slots);
+  void derive(const Morphology& morphology, const GeometryAtDesign& geometry,
+              const Ancestry& ancestry, const PoseTriple& poses, int link, const Slots& slots);
+  void sum_parts();
+  /// Factors of the first moments' and swept momenta's second derivatives, see add_curvature.
+  struct Factors;
+  Factors factors(double multiplier) const;
 
   double time_step_ = 1.0;
   Eigen::Vector3d up_;
-  Eigen::Vector3d lever_;  // N
-  Eigen::Vector3d rate_;   // K
+  Eigen::Vector3d lever_;                // N
+  Eigen::Vector3d rate_;                 // K
+  Eigen::Vector3d axis_at_, anchor_at_;  // A, o
   PointDerivatives axis_, anchor_, moment_before_, moment_, moment_after_;
   PairDerivatives swept_before_, swept_;
   std::vector<Carried> feet_;
   std::vector<PointDerivatives::Growth> mass_slopes_;  // of g M
   std::vector<PointDerivatives::GrowthSecond> mass_seconds_;
   Eigen::MatrixXd axis_jacobian_, anchor_jacobian_, rate_jacobian_, lever_jacobian_;
+  Eigen::MatrixXd moment_jacobian_;  // of C
 };
 
 }  // namespace legwright

@@ -19,11 +19,6 @@ Vector3d cross_of(const Eigen::MatrixBase<Derived>& X) {
   return {X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0)};
 }
 
-template <class Matrix>
-double trace(const Matrix& X) {
-  return X(0, 0) + (X(1, 1) + X(2, 2));
-}
-
 /// out = [turn]× X + shift sumᵀ, number by number: products of small vectors spend their time
 /// waiting for half-written pairs.
 template <class Derived>
@@ -184,10 +179,17 @@ void PairDerivatives::add_inner_products(const GeometryAtDesign& geometry,
   }
 }
 
+Matrix3d turn_moments(const PoseKinematics& first, const PoseKinematics& second, int link) {
+  const Matrix3d half = 0.5 * first.rotation(link);
+  Matrix3d out;
+  for (int k = 0; k < 3; ++k)
+    store(product(half, scalars(second.rotation(link).row(k))), out.col(k));
+  return out;
+}
+
 Vector3d PairDerivatives::foot_turn(const Morphology& morphology, int foot,
                                     const PoseKinematics& first, const PoseKinematics& second) {
-  const int link = morphology.feet[foot].link;
-  return cross_of(0.5 * first.rotation(link) * second.rotation(link).transpose());
+  return cross_of(turn_moments(first, second, morphology.feet[foot].link));
 }
 
 void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ancestry& ancestry,
@@ -195,7 +197,7 @@ void PairDerivatives::compute_foot_turn(const Morphology& morphology, const Ance
                                         const PoseKinematics& second, const Columns& first_columns,
                                         const Columns& second_columns) {
   const int link = morphology.feet[foot].link;
-  const Matrix3d sum = 0.5 * first.rotation(link) * second.rotation(link).transpose();
+  const Matrix3d sum = turn_moments(first, second, link);
   value = cross_of(sum);
   inner_products_.clear();
   const auto fill = [&](const PoseKinematics& own, const Columns& columns, const Matrix3d& swept,

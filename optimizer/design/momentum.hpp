@@ -31,6 +31,14 @@ class PairMoments {
   std::vector<Eigen::Matrix3d> below_;
 };
 
+template <class Matrix>
+[[gnu::always_inline]] inline double trace(const Matrix& X) {
+  return X(0, 0) + (X(1, 1) + X(2, 2));
+}
+
+/// ½ Σ_k (R e_k)(R′ e_k)ᵀ of a link: ½ R R′ᵀ.
+Eigen::Matrix3d turn_moments(const PoseKinematics& first, const PoseKinematics& second, int link);
+
 /// A vector that depends on two poses of one design, y = Σ weight p × p′ (p at the first pose, p′
 /// at the second), with exact derivatives; the poses must outlive them. Columns: of the first pose,
 /// of the second pose; a design coordinate has one column in both.

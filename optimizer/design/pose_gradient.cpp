@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimizer/design/pose_gradient.hpp"
 
+#include <algorithm>
+
 #include "optimizer/design/small_products.hpp"
 
 namespace legwright {
@@ -9,19 +11,39 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Adds μ · rate, entry by entry.
-[[gnu::always_inline]] inline void add_rate(const Scalars3& rate, const Scalars3& multiplier,
-                                            double& sum) {
-  sum = sum + rate.x * multiplier.x + rate.y * multiplier.y + rate.z * multiplier.z;
-}
+/// Takes the rate ∂y/∂c of one coordinate c of a pose after the other: adds μ · rate to a gradient,
+/// entry by entry.
+struct GradientOf {
+  Scalars3 multiplier;
+  double* gradient;
 
-/// Calls visit(twist, its entry of the gradient) for all that moves a link.
+  [[gnu::always_inline]] void operator()(int coordinate, const Scalars3& rate) const {
+    double& sum = gradient[coordinate];
+    sum = sum + rate.x * multiplier.x + rate.y * multiplier.y + rate.z * multiplier.z;
+  }
+};
+
+/// The same, into a Jacobian of columns × 3.
+struct JacobianOf {
+  const Columns& columns;
+  Eigen::MatrixXd& jacobian;
+
+  [[gnu::always_inline]] void operator()(int coordinate, const Scalars3& rate) const {
+    double* out = jacobian.data() + columns[static_cast<std::size_t>(coordinate)];
+    const Eigen::Index rows = jacobian.rows();
+    out[0] += rate.x;
+    out[rows] += rate.y;
+    out[2 * rows] += rate.z;
+  }
+};
+
+/// Calls visit(coordinate, its twist) for all that moves a link.
 template <class Visit>
 void for_each_above(const Morphology& morphology, const PoseKinematics& pose, int link,
-                    double* gradient, Visit visit) {
-  for (; link > 0; link = morphology.links[link].parent)
-    visit(pose.twist_of(5 + link), gradient[5 + link]);
-  for (int c = 0; c < 6; ++c) visit(pose.twist_of(c), gradient[c]);
+                    Visit visit) {
+  for (; link > 0; link = morphology.links[static_cast<std::size_t>(link)].parent)
+    visit(5 + link, pose.twist_of(5 + link));
+  for (int c = 0; c < 6; ++c) visit(c, pose.twist_of(c));
 }
 
 /// Σ a × b of what [turn]× X + shift sumᵀ sums up as Σ a bᵀ.
@@ -34,85 +56,154 @@ template <class Matrix>
       t.y * X(2, 1) - t.z * X(1, 1) + v.x * sum.y - (t.z * X(0, 0) - t.x * X(2, 0) + v.y * sum.x)};
 }
 
+template <class Take>
+void point_rates(const Morphology& morphology, const PoseKinematics& pose, int link,
+                 const Vector3d& point, const Take& take) {
+  const Scalars3 at = scalars(point);
+  for_each_above(morphology, pose, link, [&](int c, const Twist& twist) {
+    take(c, cross(scalars(twist.turn), at) + scalars(twist.shift));
+  });
+}
+
+template <class Take>
+void direction_rates(const Morphology& morphology, const PoseKinematics& pose, int link,
+                     const Vector3d& direction, const Take& take) {
+  const Scalars3 along = scalars(direction);
+  for_each_above(morphology, pose, link,
+                 [&](int c, const Twist& twist) { take(c, cross(scalars(twist.turn), along)); });
+}
+
+/// Calls visit(coordinate, its twist, the lower one of its link and `link`) for all that moves a
+/// link or something below it.
+template <class Visit>
+void for_each_related(const Ancestry& ancestry, const PoseKinematics& pose, int link,
+                      int link_count, Visit visit) {
+  for (int c = 0; c < 6; ++c) visit(c, pose.twist_of(c), link);
+  for (int l = 1; l < link_count; ++l)
+    if (ancestry.related(link, l)) visit(5 + l, pose.twist_of(5 + l), std::max(link, l));
+}
+
+template <class Take>
+void first_moment_rates(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                        const PoseKinematics& pose, int link, double scale, const Take& take) {
+  const int count = static_cast<int>(geometry.links.size());
+  for_each_related(ancestry, pose, link, count, [&](int c, const Twist& twist, int lower) {
+    const double mass = geometry.mass_below[static_cast<std::size_t>(lower)];
+    take(c, scale * (cross(scalars(twist.turn), scalars(pose.first_moment(lower))) +
+                     mass * scalars(twist.shift)));
+  });
+}
+
+template <class Take>
+void swept_rates(const Ancestry& ancestry, const PairMoments& moments, int link,
+                 const PoseKinematics& first, const PoseKinematics& second, const Take& take_first,
+                 const Take& take_second) {
+  const int count = moments.link_count();
+  for_each_related(ancestry, first, link, count, [&](int c, const Twist& twist, int lower) {
+    take_first(c, swept_rate(scalars(twist.turn), moments.below(lower), scalars(twist.shift),
+                             scalars(second.first_moment(lower))));
+  });
+  for_each_related(ancestry, second, link, count, [&](int c, const Twist& twist, int lower) {
+    take_second(c, -swept_rate(scalars(twist.turn), moments.below(lower).transpose(),
+                               scalars(twist.shift), scalars(first.first_moment(lower))));
+  });
+}
+
+template <class Take>
+void foot_turn_rates(const Morphology& morphology, int foot, const PoseKinematics& first,
+                     const PoseKinematics& second, const Take& take_first,
+                     const Take& take_second) {
+  const int link = morphology.feet[static_cast<std::size_t>(foot)].link;
+  const Matrix3d swept = turn_moments(first, second, link);
+  const Scalars3 none{0.0, 0.0, 0.0};  // directions turn but do not shift
+  for_each_above(morphology, first, link, [&](int c, const Twist& twist) {
+    take_first(c, swept_rate(scalars(twist.turn), swept, none, none));
+  });
+  for_each_above(morphology, second, link, [&](int c, const Twist& twist) {
+    take_second(c, -swept_rate(scalars(twist.turn), swept.transpose(), none, none));
+  });
+}
+
 }  // namespace
 
 void add_point_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
                         const Vector3d& point, const Vector3d& multiplier, double* gradient) {
-  const Scalars3 at = scalars(point), mu = scalars(multiplier);
-  for_each_above(morphology, pose, link, gradient, [&](const Twist& twist, double& sum) {
-    add_rate(cross(scalars(twist.turn), at) + scalars(twist.shift), mu, sum);
-  });
+  point_rates(morphology, pose, link, point, GradientOf{scalars(multiplier), gradient});
+}
+
+void add_point_jacobian(const Morphology& morphology, const PoseKinematics& pose, int link,
+                        const Vector3d& point, const Columns& columns, Eigen::MatrixXd& jacobian) {
+  point_rates(morphology, pose, link, point, JacobianOf{columns, jacobian});
 }
 
 void add_trunk_point_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
                               const Vector3d& at, const Vector3d& multiplier, double* gradient) {
   const Matrix3d& trunk = pose.rotation(0);
   const Vector3d point = pose.origin(0) + trunk * at;
-  const Scalars3 p = scalars(point), mu = scalars(multiplier);
+  const Scalars3 p = scalars(point);
+  const GradientOf take{scalars(multiplier), gradient};
   for (; link > 0; link = morphology.links[static_cast<std::size_t>(link)].parent) {
     const Twist& twist = pose.twist_of(5 + link);
     const Scalars3 rate = cross(scalars(twist.turn), p) + scalars(twist.shift);
-    add_rate(transposed_product(trunk, rate), mu, gradient[5 + link]);
+    take(5 + link, transposed_product(trunk, rate));
   }
 }
 
 void add_direction_gradient(const Morphology& morphology, const PoseKinematics& pose, int link,
                             const Vector3d& direction, const Vector3d& multiplier,
                             double* gradient) {
-  const Scalars3 along = scalars(direction), mu = scalars(multiplier);
-  for_each_above(morphology, pose, link, gradient, [&](const Twist& twist, double& sum) {
-    add_rate(cross(scalars(twist.turn), along), mu, sum);
-  });
+  direction_rates(morphology, pose, link, direction, GradientOf{scalars(multiplier), gradient});
 }
 
-void add_com_gradient(const GeometryAtDesign& geometry, const PoseKinematics& pose,
-                      const Vector3d& multiplier, double* gradient) {
-  const double scale = 1.0 / geometry.total_mass;
-  const int count = 5 + static_cast<int>(geometry.links.size());
-  const Scalars3 mu = scalars(multiplier);
-  for (int c = 0; c < count; ++c) {
-    const Twist& twist = pose.twist_of(c);
-    const double mass = geometry.mass_below[static_cast<std::size_t>(twist.link)];
-    add_rate(scale * (cross(scalars(twist.turn), scalars(pose.first_moment(twist.link))) +
-                      mass * scalars(twist.shift)),
-             mu, gradient[c]);
-  }
+void add_direction_jacobian(const Morphology& morphology, const PoseKinematics& pose, int link,
+                            const Vector3d& direction, const Columns& columns,
+                            Eigen::MatrixXd& jacobian) {
+  direction_rates(morphology, pose, link, direction, JacobianOf{columns, jacobian});
 }
 
-void add_swept_momentum_gradient(const PairMoments& moments, const PoseKinematics& first,
-                                 const PoseKinematics& second, const Vector3d& multiplier,
-                                 double* first_gradient, double* second_gradient) {
-  const int count = 5 + moments.link_count();
+void add_first_moment_gradient(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                               const PoseKinematics& pose, int link, double scale,
+                               const Vector3d& multiplier, double* gradient) {
+  first_moment_rates(geometry, ancestry, pose, link, scale,
+                     GradientOf{scalars(multiplier), gradient});
+}
+
+void add_first_moment_jacobian(const GeometryAtDesign& geometry, const Ancestry& ancestry,
+                               const PoseKinematics& pose, int link, double scale,
+                               const Columns& columns, Eigen::MatrixXd& jacobian) {
+  first_moment_rates(geometry, ancestry, pose, link, scale, JacobianOf{columns, jacobian});
+}
+
+void add_swept_momentum_gradient(const Ancestry& ancestry, const PairMoments& moments, int link,
+                                 const PoseKinematics& first, const PoseKinematics& second,
+                                 const Vector3d& multiplier, double* first_gradient,
+                                 double* second_gradient) {
   const Scalars3 mu = scalars(multiplier);
-  for (int c = 0; c < count; ++c) {
-    const Twist& twist = first.twist_of(c);
-    add_rate(swept_rate(scalars(twist.turn), moments.below(twist.link), scalars(twist.shift),
-                        scalars(second.first_moment(twist.link))),
-             mu, first_gradient[c]);
-  }
-  for (int c = 0; c < count; ++c) {
-    const Twist& twist = second.twist_of(c);
-    add_rate(-swept_rate(scalars(twist.turn), moments.below(twist.link).transpose(),
-                         scalars(twist.shift), scalars(first.first_moment(twist.link))),
-             mu, second_gradient[c]);
-  }
+  swept_rates(ancestry, moments, link, first, second, GradientOf{mu, first_gradient},
+              GradientOf{mu, second_gradient});
+}
+
+void add_swept_momentum_jacobian(const Ancestry& ancestry, const PairMoments& moments, int link,
+                                 const PoseKinematics& first, const PoseKinematics& second,
+                                 const Columns& first_columns, const Columns& second_columns,
+                                 Eigen::MatrixXd& jacobian) {
+  swept_rates(ancestry, moments, link, first, second, JacobianOf{first_columns, jacobian},
+              JacobianOf{second_columns, jacobian});
 }
 
 void add_foot_turn_gradient(const Morphology& morphology, int foot, const PoseKinematics& first,
                             const PoseKinematics& second, const Vector3d& multiplier,
                             double* first_gradient, double* second_gradient) {
-  const int link = morphology.feet[static_cast<std::size_t>(foot)].link;
-  const Matrix3d half = 0.5 * first.rotation(link);
-  Matrix3d swept;
-  for (int k = 0; k < 3; ++k)
-    store(product(half, scalars(second.rotation(link).row(k))), swept.col(k));
-  const Scalars3 none{0.0, 0.0, 0.0}, mu = scalars(multiplier);  // directions turn but do not shift
-  for_each_above(morphology, first, link, first_gradient, [&](const Twist& twist, double& sum) {
-    add_rate(swept_rate(scalars(twist.turn), swept, none, none), mu, sum);
-  });
-  for_each_above(morphology, second, link, second_gradient, [&](const Twist& twist, double& sum) {
-    add_rate(-swept_rate(scalars(twist.turn), swept.transpose(), none, none), mu, sum);
-  });
+  const Scalars3 mu = scalars(multiplier);
+  foot_turn_rates(morphology, foot, first, second, GradientOf{mu, first_gradient},
+                  GradientOf{mu, second_gradient});
+}
+
+void add_foot_turn_jacobian(const Morphology& morphology, int foot, const PoseKinematics& first,
+                            const PoseKinematics& second, const Columns& first_columns,
+                            const Columns& second_columns, Eigen::MatrixXd& jacobian) {
+  foot_turn_rates(morphology, foot, first, second, JacobianOf{first_columns, jacobian},
+                  JacobianOf{second_columns, jacobian});
 }
 
 }  // namespace legwright

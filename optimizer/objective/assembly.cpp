@@ -32,30 +32,55 @@ void expand_jacobian(const PlannedElement& element, const Eigen::MatrixXd& J,
 
 namespace {
 
-/// Adds entry · left rightᵀ of two local variables to the lower triangle of H.
+/// Adds entry · left rightᵀ of two local variables behind Jacobians to the lower triangle of H.
 void add_product(double entry, const LocalRow& left, const LocalRow& right, int columns,
                  Eigen::MatrixXd& H) {
-  const auto add_column = [&](int b, double factor) {
-    double* __restrict__ out = H.col(b).data();
-    if (left.through == nullptr) {
-      if (left.column >= b && left.column < columns) out[left.column] += factor;
-      return;
+  for (const ElementPlan::Run& across : right.through->runs) {
+    if (across.to >= columns) return;
+    for (int b = across.to; b < across.to + across.count; ++b) {
+      const double factor = entry * right.chain[across.from + b - across.to];
+      double* __restrict__ out = H.col(b).data();
+      for (const ElementPlan::Run& run : left.through->runs) {
+        if (run.to >= columns) break;
+        const double* from = left.chain + run.from - run.to;
+        for (int a = std::max(run.to, b); a < run.to + run.count; ++a) out[a] += factor * from[a];
+      }
     }
-    for (const ElementPlan::Run& run : left.through->runs) {
-      if (run.to >= columns) return;
-      const double* from = left.chain + run.from - run.to;
-      for (int a = std::max(run.to, b); a < run.to + run.count; ++a) out[a] += factor * from[a];
-    }
-  };
-  if (right.through == nullptr) {
-    if (right.column < columns) add_column(right.column, entry);
-    return;
   }
-  for (const ElementPlan::Run& run : right.through->runs) {
+}
+
+/// Adds entry · (e rowᵀ + row eᵀ), e the unit vector of a column, to the lower triangle of H.
+void add_beside(double entry, int column, const LocalRow& row, int columns, Eigen::MatrixXd& H) {
+  double* __restrict__ below = H.col(column).data();
+  double* beside = H.data() + column;
+  for (const ElementPlan::Run& run : row.through->runs) {
     if (run.to >= columns) return;
-    const int end = left.through != nullptr ? run.to + run.count
-                                            : std::min(run.to + run.count, left.column + 1);
-    for (int b = run.to; b < end; ++b) add_column(b, entry * right.chain[run.from + b - run.to]);
+    const double* from = row.chain + run.from - run.to;
+    const int end = run.to + run.count;
+    int a = run.to;
+    for (; a < std::min(end, column); ++a) beside[a * H.rows()] += entry * from[a];
+    if (a == column && a < end) below[a] += entry * from[a];
+    for (; a < end; ++a) below[a] += entry * from[a];
+  }
+}
+
+/// Adds entry · (left rightᵀ + right leftᵀ) of two local variables to the lower triangle of H, or
+/// entry · left leftᵀ of one and the same.
+void add_entry(const CurvatureEntry& at, const std::vector<LocalRow>& rows, int columns,
+               Eigen::MatrixXd& H) {
+  const LocalRow &left = rows[static_cast<std::size_t>(at.row)],
+                 &right = rows[static_cast<std::size_t>(at.column)];
+  if (left.through != nullptr && right.through != nullptr) {
+    add_product(at.value, left, right, columns, H);
+    if (at.row != at.column) add_product(at.value, right, left, columns, H);
+  } else if (left.through != nullptr) {
+    if (right.column < columns) add_beside(at.value, right.column, left, columns, H);
+  } else if (right.through != nullptr) {
+    if (left.column < columns) add_beside(at.value, left.column, right, columns, H);
+  } else {
+    const auto [lower, upper] = std::minmax(left.column, right.column);
+    if (upper >= columns) return;
+    H(upper, lower) += at.row != at.column && lower == upper ? 2.0 * at.value : at.value;
   }
 }
 
@@ -94,15 +119,17 @@ void expand_curvature(const PlannedElement& element, const std::vector<Eigen::Ma
     for (int d = 0; d < through.size; ++d)
       rows[through.variable + d] = {-1, &through, block.col(d).data()};
   }
-  if (2 * (C.array() != 0.0).count() > C.size()) {
+  // Of most terms most entries of C are zero.
+  std::vector<CurvatureEntry>& entries = workspace.entries;
+  entries.clear();
+  for (int j = 0; j < C.cols(); ++j)
+    for (int i = j; i < C.rows(); ++i)
+      if (C(i, j) != 0.0) entries.push_back({i, j, C(i, j)});
+  if (4 * static_cast<Eigen::Index>(entries.size()) > C.size()) {
     add_full(C, rows, columns, workspace);
     return;
   }
-  // Of most terms most entries of C are zero. Both orders of a pair of variables are visited, so
-  // that each column pair of the lower triangle gets both.
-  for (int j = 0; j < C.cols(); ++j)
-    for (int i = 0; i < C.rows(); ++i)
-      if (C(i, j) != 0.0) add_product(C(i, j), rows[i], rows[j], columns, workspace.hessian);
+  for (const CurvatureEntry& entry : entries) add_entry(entry, rows, columns, workspace.hessian);
 }
 
 namespace {

@@ -16,6 +16,12 @@ struct LocalRow {
   const double* chain = nullptr;
 };
 
+/// An entry of an element's curvature in its local variables that is not zero, row ≥ column.
+struct CurvatureEntry {
+  int row, column;
+  double value;
+};
+
 /// Scratch of one element; sizes grow to the largest and stay.
 struct ElementWorkspace {
   Eigen::VectorXd z, residual, multiplier, second;
@@ -23,6 +29,7 @@ struct ElementWorkspace {
   Eigen::MatrixXd expanded;  // columns of the clique × rows
   Eigen::MatrixXd hessian;   // of the clique, lower triangle
   std::vector<LocalRow> rows;
+  std::vector<CurvatureEntry> entries;
   Eigen::MatrixXd local_by_clique, bent;  // E and C E, see expand_curvature
 };
 

@@ -86,6 +86,20 @@ bool DerivedQuantities::add_motion_gradient(const Morphology& morphology, int in
                                              multiplier, gradient);
 }
 
+void DerivedQuantities::clear_loads(Workspace& workspace) const {
+  const RobotAtPoint& robot = workspace.robot;
+  workspace.loads.poses.resize(robot.poses.size());
+  workspace.loads.pairs.resize(robot.poses.size() - 1);
+  for (PoseLoads& each : workspace.loads.poses) each.clear(robot.geometry.links.size());
+  for (PairLoads& each : workspace.loads.pairs) each.clear(robot.geometry.links.size());
+}
+
+bool DerivedQuantities::add_loads(const Morphology& morphology, int index, const double* multiplier,
+                                  const Eigen::VectorXd& extended, Workspace& workspace) const {
+  return blocks_[index]->add_loads({morphology, ancestry_, workspace.robot, extended},
+                                   *workspace.states[index], multiplier, workspace.loads);
+}
+
 void DerivedQuantities::curvature(int index, const double* multiplier, Workspace& workspace) const {
   const DerivedQuantity& block = *blocks_[index];
   const int size = columns_of(block, workspace);

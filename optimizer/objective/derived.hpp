@@ -21,6 +21,7 @@ class DerivedQuantities {
     std::vector<Eigen::MatrixXd> jacobians;  // by quantity, columns × size; valid where `ready`
     std::vector<char> ready;
     Eigen::MatrixXd curvature;
+    MotionLoads loads;
   };
 
   DerivedQuantities() = default;
@@ -46,6 +47,12 @@ class DerivedQuantities {
   bool add_motion_gradient(const Morphology& morphology, int block, const double* multiplier,
                            const Eigen::VectorXd& extended, const Workspace& workspace,
                            double* gradient) const;
+  /// Makes workspace.loads those of the point just evaluated, none so far.
+  void clear_loads(Workspace& workspace) const;
+  /// Adds Σ_k multiplier_k ∂²y_k/∂m² of a block to workspace.loads and returns true; false:
+  /// curvature() has the rest.
+  bool add_loads(const Morphology& morphology, int block, const double* multiplier,
+                 const Eigen::VectorXd& extended, Workspace& workspace) const;
   /// Σ multiplier_k ∂²y_k of a block whose Jacobian is ready, into the lower triangle of
   /// workspace.curvature.
   void curvature(int block, const double* multiplier, Workspace& workspace) const;

@@ -56,7 +56,7 @@ std::shared_ptr<const ElementPlan> ElementPlanner::make_plan(const Element& elem
       slots.insert(slots.end(), block->slots().begin(), block->slots().end());
   }
   auto plan = std::make_shared<ElementPlan>();
-  plan->clique = shared_clique(std::move(slots));
+  plan->clique = clique_of(std::move(slots));
   std::vector<std::pair<int, int>> column_of;  // slot → clique column
   for (std::size_t k = 0; k < plan->clique->slots.size(); ++k)
     column_of.emplace_back(plan->clique->slots[k], static_cast<int>(k));
@@ -74,11 +74,10 @@ std::shared_ptr<const ElementPlan> ElementPlanner::make_plan(const Element& elem
 }
 
 std::shared_ptr<const Clique> ElementPlanner::clique_of(const DerivedQuantity& block) {
-  return shared_clique(block.slots());
+  return clique_of(block.slots());
 }
 
-/// @param slots in any order, also more than once
-std::shared_ptr<const Clique> ElementPlanner::shared_clique(std::vector<int> slots) {
+std::shared_ptr<const Clique> ElementPlanner::clique_of(std::vector<int> slots) {
   std::sort(slots.begin(), slots.end(), [n = design_size_](int a, int b) {
     const bool a_design = a < n, b_design = b < n;
     return a_design != b_design ? b_design : a < b;

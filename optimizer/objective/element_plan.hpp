@@ -55,12 +55,13 @@ class ElementPlanner {
 
   PlannedElement plan(const Term& term, int element);
   std::shared_ptr<const Clique> clique_of(const DerivedQuantity& block);
+  /// @param slots in any order, also more than once
+  std::shared_ptr<const Clique> clique_of(std::vector<int> slots);
   /// Each once, in the order of their first use; for Sparsity::build.
   const std::vector<std::shared_ptr<Clique>>& cliques() const { return cliques_; }
 
  private:
   std::shared_ptr<const ElementPlan> make_plan(const Element& element);
-  std::shared_ptr<const Clique> shared_clique(std::vector<int> slots);
   std::vector<ElementPlan::Run> runs_of(const DerivedQuantity& block,
                                         const std::vector<std::pair<int, int>>& column_of) const;
 

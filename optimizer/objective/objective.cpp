@@ -78,7 +78,9 @@ void ObjectiveParts::plan() {
     entry.linear = linear_rows(*entry.term, entry.plans);
   }
   for (const auto& block : derived.blocks()) block_cliques.push_back(planner.clique_of(*block));
+  motion_blocks.plan(layout, derived.blocks(), planner);
   pattern = Sparsity::build(layout.design_size(), layout.motion_size(), planner.cliques());
+  motion_blocks.locate();
   ElementWorkspace scratch;
   const HessianTarget target{pattern.valuePtr(), nullptr, nullptr, layout.design_size()};
   for (const WeightedTerm& entry : terms)
@@ -221,6 +223,7 @@ double ObjectiveParts::add_term(const WeightedTerm& entry, Order order,
 void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
                                  const HessianTarget& target) const {
   // Chain rule: what terms want of y is handed on to m and s, and y's own curvature comes in.
+  if (order == Order::hessian) derived.clear_loads(workspace.derived);
   for (std::size_t b = 0; b < derived.blocks().size(); ++b) {
     const DerivedQuantities::Extent at = derived.extents()[b];
     const auto multiplier = workspace.gradient.segment(at.slot, at.size);
@@ -239,9 +242,14 @@ void ObjectiveParts::add_derived(Order order, EvaluationScratch& workspace,
       for (int k = 0; k < columns; ++k)
         workspace.gradient[block.slots()[k]] += jacobian(k, d) * multiplier[d];
     if (!has_second(order)) continue;
+    if (order == Order::hessian && derived.add_loads(morphology, index, multiplier.data(),
+                                                     workspace.extended, workspace.derived))
+      continue;
     derived.curvature(index, multiplier.data(), workspace.derived);
     scatter(*block_cliques[b], workspace.derived.curvature, target);
   }
+  if (order == Order::hessian)
+    motion_blocks.add(morphology, workspace.derived.robot, workspace.derived.loads, target.mm);
 }
 
 void ObjectiveParts::prepare(const VectorXd& s, const VectorXd& m, Order order,

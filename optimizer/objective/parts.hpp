@@ -16,6 +16,7 @@
 #include "optimizer/objective/derived.hpp"
 #include "optimizer/objective/evaluation.hpp"
 #include "optimizer/objective/linear_rows.hpp"
+#include "optimizer/objective/motion_blocks.hpp"
 #include "optimizer/terms/registry.hpp"
 
 namespace legwright {
@@ -49,6 +50,7 @@ struct ObjectiveParts {
   DerivedQuantities derived;
   std::vector<WeightedTerm> terms;
   std::vector<std::shared_ptr<const Clique>> block_cliques;  // by derived block
+  MotionBlocks motion_blocks;
   Eigen::SparseMatrix<double> pattern;  // with the part of ∂G/∂m that is the same everywhere
   std::shared_ptr<const void> pattern_key = std::make_shared<char>();
 

@@ -13,6 +13,7 @@ class Com final : public PoseQuantity {
       : PoseQuantity(setting, slot, knot, on_subtree(setting.morphology, setting.ancestry, 0)) {}
 
  private:
+  static double scale(const DerivedInput& input) { return 1.0 / input.robot.geometry.total_mass; }
   Eigen::Vector3d place(const DerivedInput& input) const override {
     return pose(input).first_moment(0) / input.robot.geometry.total_mass;
   }
@@ -21,7 +22,19 @@ class Com final : public PoseQuantity {
   }
   void add_pose_gradient(const DerivedInput& input, const Eigen::Vector3d& multiplier,
                          double* gradient) const override {
-    add_com_gradient(input.robot.geometry, pose(input), multiplier, gradient);
+    add_first_moment_gradient(input.robot.geometry, input.ancestry, pose(input), 0, scale(input),
+                              multiplier, gradient);
+  }
+  bool add_motion_jacobian(const DerivedInput& input, Eigen::MatrixXd& jacobian) const override {
+    add_first_moment_jacobian(input.robot.geometry, input.ancestry, pose(input), 0, scale(input),
+                              columns(), jacobian);
+    return true;
+  }
+  bool add_loads(const DerivedInput& input, const State&, const double* multiplier,
+                 MotionLoads& loads) const override {
+    own(loads).add_first_moment(input.robot.geometry, input.ancestry, pose(input), 0,
+                                scale(input) * scalars(multiplier));
+    return true;
   }
 };
 

@@ -29,6 +29,18 @@ class FootCentre final : public PoseQuantity {
                        place(input), multiplier, gradient);
   }
 
+  bool add_motion_jacobian(const DerivedInput& input, Eigen::MatrixXd& jacobian) const override {
+    add_point_jacobian(input.morphology, pose(input), input.morphology.feet[foot_].link,
+                       place(input), columns(), jacobian);
+    return true;
+  }
+  bool add_loads(const DerivedInput& input, const State&, const double* multiplier,
+                 MotionLoads& loads) const override {
+    own(loads).add_point(input.morphology, input.morphology.feet[foot_].link, scalars(place(input)),
+                         scalars(multiplier));
+    return true;
+  }
+
   int foot_;
 };
 

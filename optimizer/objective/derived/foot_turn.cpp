@@ -25,6 +25,13 @@ class FootTurn final : public VectorQuantity<PairDerivatives> {
                            gradient + pose_slot(1));
     return true;
   }
+  bool add_loads(const DerivedInput& input, const State&, const double* multiplier,
+                 MotionLoads& loads) const override {
+    loads.pairs[knot_].add_foot_turn(input.morphology, foot_, input.robot.poses[knot_],
+                                     input.robot.poses[knot_ + 1], scalars(multiplier),
+                                     loads.poses[knot_], loads.poses[knot_ + 1]);
+    return true;
+  }
 
  private:
   Eigen::Vector3d place(const DerivedInput& input) const override {
@@ -34,6 +41,12 @@ class FootTurn final : public VectorQuantity<PairDerivatives> {
   void derive(const DerivedInput& input, PairDerivatives& out) const override {
     out.compute_foot_turn(input.morphology, input.ancestry, foot_, input.robot.poses[knot_],
                           input.robot.poses[knot_ + 1], columns(0), columns(1));
+  }
+
+  bool add_motion_jacobian(const DerivedInput& input, Eigen::MatrixXd& jacobian) const override {
+    add_foot_turn_jacobian(input.morphology, foot_, input.robot.poses[knot_],
+                           input.robot.poses[knot_ + 1], columns(0), columns(1), jacobian);
+    return true;
   }
 
   std::size_t knot_;

@@ -48,6 +48,7 @@ class MotorTorque final : public DerivedQuantity {
   }
   void jacobian(const DerivedInput& input, State& state, Eigen::MatrixXd& jacobian) const override {
     Held& held = static_cast<Held&>(state);
+    held.with_design = input.with_design();
     JointTorque::Slots where{&columns(0), &columns(1), &columns(2), {}};
     for (const Carried& each : forces_) where.force.push_back(each.column);
     held.torque.compute(input.morphology, input.robot.geometry, input.ancestry, triple(input.robot),
@@ -56,15 +57,30 @@ class MotorTorque final : public DerivedQuantity {
     for (std::size_t k = 0; k < 3; ++k)
       jacobian(columns(k)[5 + link_], 0) += along_[static_cast<Eigen::Index>(k)];
   }
+  bool add_loads(const DerivedInput& input, const State& state, const double* multiplier,
+                 MotionLoads& loads) const override {
+    const std::size_t knot = static_cast<std::size_t>(knot_);
+    static_cast<const Held&>(state).torque.add_loads(
+        input.morphology, input.robot.geometry, input.ancestry, triple(input.robot), link_,
+        multiplier[0],
+        {loads.poses[pose_before()], loads.poses[knot], loads.poses[knot + 1],
+         loads.pairs[pair_before()], loads.pairs[knot]});
+    return false;
+  }
   void curvature(const Ancestry& ancestry, const State& state, const double* multiplier,
                  Eigen::MatrixXd& hessian) const override {
-    static_cast<const Held&>(state).torque.add_curvature(ancestry, multiplier[0], hessian);
+    const Held& held = static_cast<const Held&>(state);
+    if (held.with_design)
+      held.torque.add_curvature(ancestry, multiplier[0], hessian);
+    else  // the rest is in the loads
+      held.torque.add_products(multiplier[0], hessian);
   }
 
  private:
   struct Held : State {
     JointTorque torque;
     std::vector<FootForce> forces;
+    bool with_design = false;  // at the latest jacobian()
   };
   /// A force of a foot that the joint carries.
   struct Carried {
@@ -89,14 +105,16 @@ class MotorTorque final : public DerivedQuantity {
       if (carries(setting, knot, link, j)) out.push_back(setting.layout.force(knot, j));
     return out;
   }
+  /// Entries of RobotAtPoint.
+  std::size_t pose_before() const {
+    return static_cast<std::size_t>(knot_ > 0 ? knot_ - 1 : last_ + 1);
+  }
+  std::size_t pair_before() const {
+    return static_cast<std::size_t>(knot_ > 0 ? knot_ - 1 : last_);
+  }
   PoseTriple triple(const RobotAtPoint& robot) const {
-    const int before = knot_ > 0 ? knot_ - 1 : last_;  // of pairs
-    return {&robot.poses[knot_ > 0 ? knot_ - 1 : last_ + 1],
-            &robot.poses[knot_],
-            &robot.poses[knot_ + 1],
-            &robot.moments[before],
-            &robot.moments[knot_],
-            up_};
+    return {&robot.poses[pose_before()],   &robot.poses[knot_],   &robot.poses[knot_ + 1],
+            &robot.moments[pair_before()], &robot.moments[knot_], up_};
   }
 
   int knot_, last_, link_;

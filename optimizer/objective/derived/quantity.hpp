@@ -9,6 +9,7 @@
 #include "optimizer/design/inertia.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/design/momentum.hpp"
+#include "optimizer/design/motion_curvature.hpp"
 #include "optimizer/motion/layout.hpp"
 #include "optimizer/motion/task.hpp"
 #include "optimizer/objective/derived/dependence.hpp"
@@ -31,12 +32,21 @@ struct RobotAtPoint {
   std::vector<PairMoments> moments;   // knot i to i + 1; at T the wrapping pair
 };
 
+/// What derived quantities ask of second derivatives in the motion, summed up by pose and by pair
+/// of poses, as RobotAtPoint numbers them.
+struct MotionLoads {
+  std::vector<PoseLoads> poses;
+  std::vector<PairLoads> pairs;
+};
+
 /// Arguments of a quantity's functions.
 struct DerivedInput {
   const Morphology& morphology;
   const Ancestry& ancestry;
   const RobotAtPoint& robot;
   const Eigen::VectorXd& extended;  // [s; m; y]
+
+  bool with_design() const { return robot.poses[0].with_design(); }
 };
 
 /// One derived quantity y of Layout at one place (a knot, a foot, a joint): a function of some
@@ -58,6 +68,7 @@ class DerivedQuantity {
   /// Column → slot of p; motion columns first, both kinds rising.
   const std::vector<int>& slots() const { return slots_; }
   int motion_columns() const { return motion_columns_; }
+  std::size_t pose_count() const { return pose_slots_.size(); }
 
   virtual std::unique_ptr<State> make_state() const = 0;
   /// Whether RobotAtPoint::moments and the pose moved back by one cycle are used.
@@ -75,6 +86,12 @@ class DerivedQuantity {
   /// jacobian() times multiplier, and returns true; false: only jacobian() knows.
   virtual bool add_motion_gradient(const DerivedInput&, const double* /*multiplier*/,
                                    double* /*gradient*/) const {
+    return false;
+  }
+  /// Adds Σ_k multiplier_k ∂²y_k/∂m² to `loads`, after jacobian(), which was asked for the motion's
+  /// alone; false: curvature() has the rest, which may be all of it.
+  virtual bool add_loads(const DerivedInput&, const State&, const double* /*multiplier*/,
+                         MotionLoads& /*loads*/) const {
     return false;
   }
   /// Σ multiplier_k ∂²y_k, into the lower triangle of `hessian`, which arrives as zeros; after

@@ -28,6 +28,15 @@ class SoleDirection final : public PoseQuantity {
     add_direction_gradient(input.morphology, pose(input), link_, place(input), multiplier,
                            gradient);
   }
+  bool add_motion_jacobian(const DerivedInput& input, Eigen::MatrixXd& jacobian) const override {
+    add_direction_jacobian(input.morphology, pose(input), link_, place(input), columns(), jacobian);
+    return true;
+  }
+  bool add_loads(const DerivedInput& input, const State&, const double* multiplier,
+                 MotionLoads& loads) const override {
+    own(loads).add_direction(input.morphology, link_, scalars(place(input)), scalars(multiplier));
+    return true;
+  }
 
   int link_;
   Eigen::Vector3d own_;  // in the frame of the link

@@ -21,10 +21,18 @@ class SweptMomentum final : public VectorQuantity<PairDerivatives> {
   bool needs_moments() const override { return true; }
   bool add_motion_gradient(const DerivedInput& input, const double* multiplier,
                            double* gradient) const override {
-    add_swept_momentum_gradient(input.robot.moments[pair_], input.robot.poses[first_],
-                                input.robot.poses[second_],
+    add_swept_momentum_gradient(input.ancestry, input.robot.moments[pair_], 0,
+                                input.robot.poses[first_], input.robot.poses[second_],
                                 Eigen::Map<const Eigen::Vector3d>(multiplier),
                                 gradient + pose_slot(0), gradient + pose_slot(1));
+    return true;
+  }
+  bool add_loads(const DerivedInput& input, const State&, const double* multiplier,
+                 MotionLoads& loads) const override {
+    loads.pairs[pair_].add_swept_momentum(input.robot.geometry, input.ancestry, 0,
+                                          input.robot.moments[pair_], input.robot.poses[first_],
+                                          input.robot.poses[second_], scalars(multiplier),
+                                          loads.poses[first_], loads.poses[second_]);
     return true;
   }
 
@@ -40,6 +48,12 @@ class SweptMomentum final : public VectorQuantity<PairDerivatives> {
     out.compute_swept_momentum(input.robot.geometry, input.ancestry, 0, input.robot.moments[pair_],
                                input.robot.poses[first_], input.robot.poses[second_], columns(0),
                                columns(1));
+  }
+  bool add_motion_jacobian(const DerivedInput& input, Eigen::MatrixXd& jacobian) const override {
+    add_swept_momentum_jacobian(input.ancestry, input.robot.moments[pair_], 0,
+                                input.robot.poses[first_], input.robot.poses[second_], columns(0),
+                                columns(1), jacobian);
+    return true;
   }
 
   std::size_t pair_, first_, second_;  // entries of RobotAtPoint

@@ -8,7 +8,8 @@
 namespace legwright {
 
 /// A derived vector in space whose derivatives have one of the forms of kinematics. A subclass
-/// gives its value and fills in `Derivatives`, which knows the Jacobian and the curvature.
+/// gives its value and fills in `Derivatives`, which knows the Jacobian and the curvature; where
+/// the motion's alone are wanted there may be shorter ways.
 template <class Derivatives>
 class VectorQuantity : public DerivedQuantity {
  public:
@@ -17,6 +18,7 @@ class VectorQuantity : public DerivedQuantity {
     y = place(input);
   }
   void jacobian(const DerivedInput& input, State& state, Eigen::MatrixXd& jacobian) const final {
+    if (!input.with_design() && add_motion_jacobian(input, jacobian)) return;
     Derivatives& derivatives = static_cast<Held&>(state).derivatives;
     derive(input, derivatives);
     derivatives.add_jacobian(jacobian);
@@ -38,6 +40,10 @@ class VectorQuantity : public DerivedQuantity {
   };
   virtual Eigen::Vector3d place(const DerivedInput& input) const = 0;
   virtual void derive(const DerivedInput& input, Derivatives& out) const = 0;
+  /// Adds ∂y/∂m and returns true, where add_loads does, too; false: derive() is asked.
+  virtual bool add_motion_jacobian(const DerivedInput&, Eigen::MatrixXd& /*jacobian*/) const {
+    return false;
+  }
 };
 
 /// A point or direction of one pose.
@@ -55,6 +61,7 @@ class PoseQuantity : public VectorQuantity<PointDerivatives> {
       : VectorQuantity(setting, slot, {knot}, on), knot_(static_cast<std::size_t>(knot)) {}
   const PoseKinematics& pose(const DerivedInput& input) const { return input.robot.poses[knot_]; }
   const Columns& columns() const { return DerivedQuantity::columns(0); }
+  PoseLoads& own(MotionLoads& loads) const { return loads.poses[knot_]; }
 
  private:
   /// Adds ∂(multiplier · y)/∂q to `gradient`, the entries of its pose.

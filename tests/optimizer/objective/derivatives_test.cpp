@@ -136,7 +136,6 @@ TEST_P(ObjectiveDerivatives, MatchCentralDifferences) {
   EXPECT_LT(errors.ss, 1e-6);
 }
 
-/// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
 // A gradient alone takes no Jacobian; with second derivatives it comes from them.
 TEST_P(ObjectiveDerivatives, GradientAloneHasTheBitsOfTheOneByJacobians) {
   for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
@@ -151,6 +150,21 @@ TEST_P(ObjectiveDerivatives, GradientAloneHasTheBitsOfTheOneByJacobians) {
   }
 }
 
+// Newton's second derivatives come from loads of poses, those with the design from each quantity.
+TEST_P(ObjectiveDerivatives, HessianOfTheMotionAloneIsThatWithTheDesign) {
+  for (const Masses masses : {Masses::plain, Masses::printed, Masses::turning}) {
+    const Objective objective = make_objective(GetParam(), masses);
+    const Point at = random_point(objective, 7);
+    const auto scaled = [&](Order order) -> MatrixXd {
+      return objective.motion_units().asDiagonal() *
+             MatrixXd(objective.evaluate(at.s, at.m, order).hessian_mm) *
+             objective.motion_units().asDiagonal();
+    };
+    EXPECT_LT(error(scaled(Order::hessian), scaled(Order::design)), 1e-12);
+  }
+}
+
+/// Masses that grow with their bodies: M(s), centre of mass, momentum and torques depend on it.
 TEST_P(ObjectiveDerivatives, MatchCentralDifferencesOfMassesThatGrowOrTurn) {
   for (const Masses masses : {Masses::printed, Masses::turning}) {
     const Objective objective = make_objective(GetParam(), masses);
