@@ -14,6 +14,7 @@
 #include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_text.hpp"
 #include "tools/verbs/key_words.hpp"
+#include "tools/verbs/print_checks.hpp"
 #include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
@@ -107,6 +108,8 @@ BuiltRobot accepted_robot(const Assembly& assembly, const std::vector<std::strin
   try {
     BuiltRobot built = robot_of(assembly, options);
     refuse_overlaps(assembly, built.overlaps, options.assembly);
+    const std::string unknown = refuse_unprintable(assembly, built.xml, options.assembly);
+    if (!unknown.empty()) built.notes.push_back(unknown);
     return built;
   } catch (const InputError&) {
     for (const std::string& warning : warnings)

@@ -27,6 +27,7 @@ def _parsed(words: list[str] | None) -> argparse.Namespace:
     parser.add_argument('--step', action='store_true', help='each part as STEP, too')
     parser.add_argument('--quiet', action='store_true', help='say nothing but errors')
     parser.add_argument('--json', action='store_true', help='print checks.json')
+    parser.add_argument('--failed', action='store_true', help='write nothing: print what fails')
     return parser.parse_args(words)
 
 
@@ -65,8 +66,13 @@ def _summary(made: 'Parts') -> str:
 
 def _run(parsed: argparse.Namespace) -> int:
     require_extra()
-    from legwright.parts._make import make
+    from legwright.parts._make import check, make
 
+    if parsed.failed:
+        checks = check(parsed.robot, _options(parsed))
+        failed = [each.as_json() for each in checks if not each.passed]
+        print(json.dumps(failed, ensure_ascii=False))
+        return NOT_ALL if failed else OK
     made = make(parsed.robot, parsed.output, _options(parsed))
     if parsed.json:
         print(json.dumps(made.document, indent=1, ensure_ascii=False))

@@ -160,6 +160,36 @@ def _options_of(given: Any) -> PartOptions:
     raise TypeError(f'options is {kind_of(given)}; expected PartOptions, as PartOptions(fit=0.2)')
 
 
+def _refuse_faults(options: PartOptions) -> None:
+    if faults := options.faults():
+        raise InputError('\n'.join(faults))
+
+
+def _for_robot(options: PartOptions, built: BuiltRobot) -> PartOptions:
+    """With bed and margin of the robot, where none are chosen."""
+    bed, margin = options.bed_for(built.bed), options.margin_for(built.margin)
+    if min(bed[:2]) <= 2 * margin:
+        raise InputError(
+            f'a margin of {margin:g} mm at each side of a bed of {bed[0]:g} x {bed[1]:g} mm leaves '
+            'no room; give a margin of a few millimetres, as 4'
+        )
+    return replace(options, bed=bed, margin=margin)
+
+
+def check(robot: str | os.PathLike[str], options: PartOptions | None = None) -> list[Check]:
+    """What make() checks of a robot's MJCF as it is drawn; nothing is written.
+
+    Raises InputError for a robot that was not built from an assembly.
+    """
+    path = path_of('robot', robot, absolute=False)
+    options = _options_of(options)
+    _refuse_faults(options)
+    built = read_built(robot_file(path))
+    options = _for_robot(options, built)
+    parts = parts_of(built, options.fit, options.wall)
+    return _all_checks(built, parts, options, _use_of(built, path))
+
+
 def make(
     robot: str | os.PathLike[str],
     folder: str | os.PathLike[str] = 'parts',
@@ -172,21 +202,14 @@ def make(
     bytes. Raises InputError for a robot that was not built from an assembly, IoError where the
     folder holds something else, TypeError for what is no path, or no PartOptions.
     """
-    options = _options_of(options)
-    if faults := options.faults():
-        raise InputError('\n'.join(faults))
     path, place = (
         path_of(what, each, absolute=False) for what, each in (('robot', robot), ('folder', folder))
     )
+    options = _options_of(options)
+    _refuse_faults(options)
     check_place(place)
     built = read_built(robot_file(path))
-    bed, margin = options.bed_for(built.bed), options.margin_for(built.margin)
-    if min(bed[:2]) <= 2 * margin:
-        raise InputError(
-            f'a margin of {margin:g} mm at each side of a bed of {bed[0]:g} x {bed[1]:g} mm leaves '
-            'no room; give a margin of a few millimetres, as 4'
-        )
-    options = replace(options, bed=bed, margin=margin)
+    options = _for_robot(options, built)
     use = _use_of(built, path)
     parts = numbered_parts(
         built,
@@ -200,7 +223,7 @@ def make(
     if options.step:
         files |= {f'{part.name}.step': step_bytes(part.name, part.mesh) for part in parts}
     files |= _feet(parts, options.press)
-    files |= plate_files(built.name, parts, bed, margin)
+    files |= plate_files(built.name, parts, options.bed_for(None), options.margin_for(None))
     files['bom.csv'] = bill_csv(rows).encode()
     files['prints.md'] = prints_markdown(built.name, parts, checks, options).encode()
     numbers = {row.key: number for number, row in enumerate(rows, 1)}
