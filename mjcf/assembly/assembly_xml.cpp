@@ -11,6 +11,7 @@
 #include "mjcf/assembly/joint_drive.hpp"
 #include "mjcf/assembly/limb_hulls.hpp"
 #include "mjcf/assembly/linear_joint.hpp"
+#include "mjcf/assembly/link_sizes.hpp"
 #include "mjcf/assembly/module_words.hpp"
 #include "mjcf/assembly/reflected_inertia.hpp"
 #include "mjcf/assembly/xml_lines.hpp"

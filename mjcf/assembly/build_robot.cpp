@@ -16,6 +16,7 @@
 #include "mjcf/assembly/overlap_words.hpp"
 #include "mjcf/assembly/print_bounds.hpp"
 #include "mjcf/assembly/reflected_inertia.hpp"
+#include "mjcf/assembly/tray_mass.hpp"
 #include "mjcf/propose/declare.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/read/feet.hpp"
@@ -165,9 +166,36 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& more) 
   to.insert(to.end(), more.begin(), more.end());
 }
 
-}  // namespace
+/// The largest trunk of a design, by its sizes as drawn.
+Eigen::Vector3d largest_trunk(const std::vector<Proposal>& proposals) {
+  Eigen::Vector3d out = Eigen::Vector3d::Ones();
+  for (const Proposal& each : proposals) {
+    if (each.binding == "stretch x: trunk") out.x() = each.upper / each.value;
+    if (each.binding == "stretch y: trunk") out.y() = each.upper / each.value;
+  }
+  return out;
+}
 
-BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& file) {
+/// Of the mass of a printed trunk, which is `tray` [kg].
+std::string tray_note(const Assembly& assembly, double tray) {
+  const std::string as =
+      fmt::format("its tray, of {:.4g} kg/m3, is printed for the largest of its designs",
+                  assembly.link_density);
+  if (assembly.trunk_as_printed)
+    return fmt::format(
+        "the trunk weighs {:.3g} kg, as {}; mass under [trunk] is for one that is heavier, as with "
+        "electronics and cables",
+        tray, as);
+  return fmt::format(
+      "the trunk weighs {:.3g} kg, as {}, and not the {:.3g} kg of its {}: a mass that is left out "
+      "is that of the tray",
+      tray, as, assembly.trunk.mass,
+      assembly.trunk_line > 0 ? fmt::format("file (line {})", assembly.trunk_line) : "module");
+}
+
+/// @param largest the trunk of its largest design
+BuiltRobot built_as_given(const Assembly& assembly, const std::filesystem::path& file,
+                          Eigen::Vector3d& largest) {
   const double height = standing_height(assembly, file);
   const std::string body = assembly_xml(assembly, height);
   const std::optional<StandingPose> pose = find_standing_pose(body, file);
@@ -185,6 +213,7 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
   const PrintBounds bounds =
       assembly.print ? print_bounds(assembly, proposals) : PrintBounds{proposals, {}, {}};
   BuiltRobot out;
+  largest = largest_trunk(bounds.proposals);
   out.xml = with_declarations(standing, file, bounds.proposals);
   out.found = propose_parameters(out.xml, file);
   out.found.left_out = left_out;
@@ -195,6 +224,21 @@ BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& fi
        {overlap_notes(assembly, out.overlaps), notes_on(assembly), notes_on_hulls(assembly),
         notes_on_cables(assembly), bounds.notes})
     append(out.notes, notes);
+  return out;
+}
+
+}  // namespace
+
+BuiltRobot build_robot(const Assembly& assembly, const std::filesystem::path& file) {
+  Eigen::Vector3d largest;
+  BuiltRobot out = built_as_given(assembly, file, largest);
+  if (!assembly.print) return out;
+  const double tray = tray_mass(assembly, largest);
+  if (tray <= assembly.trunk.mass && !assembly.trunk_as_printed) return out;
+  Assembly weighed = assembly;
+  weighed.trunk.mass = tray;
+  out = built_as_given(weighed, file, largest);
+  out.notes.push_back(tray_note(assembly, tray));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjcf/assembly/link_sizes.hpp"
 #include "mjcf/text/numbers.hpp"
 #include "mjcf/write/connector_hulls.hpp"
 
@@ -84,8 +85,9 @@ LinkEnds link_ends(const PlacedLimb& placed, std::size_t k) {
 }
 
 LinkHulls hulls_of_link(const Assembly& assembly, const PlacedLimb& limb, std::size_t joint) {
-  return link_hulls(link_ends(limb, joint), link_radius(assembly), assembly.link_wall,
-                    assembly.link_clearance);
+  const LinkEnds ends = link_ends(limb, joint);
+  return link_hulls(ends, {link_radius(assembly), end_radius(assembly, *ends.other),
+                           link_wall(assembly), assembly.link_clearance});
 }
 
 bool at_linear_joint(const AssemblyLimb& limb, std::size_t joint) {

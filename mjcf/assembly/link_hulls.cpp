@@ -46,8 +46,12 @@ bool lets_cable_out(const Module& module, const Attachment& at) {
 
 class LinkShaper {
  public:
-  LinkShaper(const LinkEnds& ends, double radius, double wall, double clearance)
-      : ends_(ends), radius_(radius), wall_(wall), clearance_(clearance) {}
+  LinkShaper(const LinkEnds& ends, const PadSizes& pads)
+      : ends_(ends),
+        radius_(pads.radius),
+        end_radius_(pads.end_radius),
+        wall_(pads.wall),
+        clearance_(pads.clearance) {}
 
   LinkHulls run() {
     find_facing();
@@ -132,7 +136,7 @@ class LinkShaper {
     for (const Attachment* at : facing_) {
       const PadPoints one =
           pad(ends_.other_pose * at->position, ends_.other_pose.linear() * at->normal, ends_.axis,
-              radius_, is_foot ? -wall_ : 0.0, is_foot ? 0.0 : wall_);
+              end_radius_, is_foot ? -wall_ : 0.0, is_foot ? 0.0 : wall_);
       out.insert(out.end(), one.begin(), one.end());
     }
     return out;
@@ -157,7 +161,7 @@ class LinkShaper {
   }
 
   const LinkEnds& ends_;
-  const double radius_, wall_, clearance_;  // [m]
+  const double radius_, end_radius_, wall_, clearance_;  // [m]
   std::vector<const Attachment*> facing_;
   std::string cable_at_;                // that of those where a cable leaves; empty: none
   Vector3d middle_ = Vector3d::Zero();  // of those, in the link
@@ -182,8 +186,8 @@ OutlineHulls other_end_of_link(const LinkEnds& ends) {
   return outline_hulls(*ends.other, pose);
 }
 
-LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance) {
-  return LinkShaper(ends, radius, wall, clearance).run();
+LinkHulls link_hulls(const LinkEnds& ends, const PadSizes& pads) {
+  return LinkShaper(ends, pads).run();
 }
 
 }  // namespace legwright

@@ -49,11 +49,19 @@ OutlineHulls servo_seen_from_link(const LinkEnds& ends, int sample);
 /// The module at the link's other end.
 OutlineHulls other_end_of_link(const LinkEnds& ends);
 
+/// What link_hulls() makes pads of [m].
+struct PadSizes {
+  double radius = 0.0;      // on the horn, and of bosses
+  double end_radius = 0.0;  // on the other module
+  double wall = 0.0;        // thickness
+  double clearance = 0.0;   // to the servo that turns the link
+};
+
 /// Pads on the horn and on those attachments of the other module that face it, as thick as the
 /// wall, and their hull. Where that would come nearer to the servo than the clearance, at an angle
 /// at which the modules themselves keep it, the way goes round the servo: along the horn's plane
 /// in a boss, and from there in an arm; where the other module is too near for that, the arm's end
 /// is pulled back before the horn's plane. Sampled over the range.
-LinkHulls link_hulls(const LinkEnds& ends, double radius, double wall, double clearance);
+LinkHulls link_hulls(const LinkEnds& ends, const PadSizes& pads);
 
 }  // namespace legwright

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "mjcf/assembly/limb_hulls.hpp"
+#include "mjcf/assembly/link_sizes.hpp"
 #include "mjcf/assembly/printed_trunk.hpp"
 
 namespace legwright {

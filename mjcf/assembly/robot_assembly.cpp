@@ -2,9 +2,7 @@
 #include "mjcf/assembly/robot_assembly.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "mjcf/read/mirror.hpp"
 
@@ -12,22 +10,6 @@ namespace legwright {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLinkRadius = 0.006;   // [m]
-constexpr double kAroundHole = 1.2e-3;  // [m] of material: three lines of a nozzle of 0.4 mm
-constexpr double kPadRadii = 1e4;       // in a metre, to the next of which they are rounded up
-constexpr double kCornersOfPad = 8.0;   // whose flat sides are nearer than their radius
-
-/// Of the pads that hold the screws of an attachment [m]; 0 where these are not known.
-double pad_radius(const Attachment& at) {
-  const auto size = std::find(kScrewSizes.begin(), kScrewSizes.end(), at.screws);
-  if (size == kScrewSizes.end()) return 0.0;
-  const double hole = kScrewHoles[static_cast<std::size_t>(size - kScrewSizes.begin())];
-  double needed = 0.0;
-  for (const Vector3d& each : at.holes)
-    needed = std::max(needed, (each - at.position).norm() + 0.5 * hole + kAroundHole);
-  return std::ceil(kPadRadii * needed / std::cos(std::numbers::pi / kCornersOfPad)) / kPadRadii;
-}
 
 }  // namespace
 
@@ -67,17 +49,6 @@ std::vector<PlacedLimb> placed_limbs(const Assembly& assembly) {
       out.push_back(image);
     }
   return out;
-}
-
-double link_radius(const Assembly& assembly) {
-  if (assembly.link_radius) return *assembly.link_radius;
-  double radius = kLinkRadius;
-  if (!assembly.print) return radius;
-  for (const AssemblyLimb& limb : assembly.limbs)
-    for (const AssemblyJoint& joint : limb.joints)
-      for (const Attachment& at : joint.servo.attachments)
-        radius = std::max(radius, pad_radius(at));
-  return radius;
 }
 
 double torque_limit(const Assembly& assembly, const Module& servo) {

@@ -75,7 +75,9 @@ struct PrintLimits {
 /// units.
 struct Assembly {
   std::string name;
-  Module trunk;  // its frame is the trunk's
+  Module trunk;                   // its frame is the trunk's
+  bool trunk_as_printed = false;  // its mass is not the file's, but tray_mass()
+  int trunk_line = 0;             // of its mass or module in the file; 0: not from one
   std::vector<AssemblyPart> parts;
   std::vector<AssemblyLimb> limbs;
   TorqueLimit torque = TorqueLimit::stall;
@@ -83,7 +85,7 @@ struct Assembly {
   std::optional<double> armature;  // where a reflected inertia is not known [kg m2]
   LinkShape link_shape = LinkShape::hull;
   std::optional<double> link_radius;  // of pads and capsules; none: link_radius() [m]
-  double link_wall = 0.003;           // thickness of the pads [m]
+  std::optional<double> link_wall;    // thickness of the pads; none: link_wall() [m]
   double link_clearance = 0.001;      // of hulls to the servos that turn them [m]
   double link_density = 1240.0;       // [kg/m3]
   bool only_feet_touch = false;       // else everything that is no neighbour may
@@ -109,10 +111,6 @@ bool has_linear_joints(const Assembly& assembly);
 /// Every limb, in the order of the file; of mirror images the left one first, with L and R behind
 /// their names.
 std::vector<PlacedLimb> placed_limbs(const Assembly& assembly);
-
-/// Radius of the hulls' pads, and of the capsules between joints [m]: the one given, else 6 mm; of
-/// parts that are to be printed as much more as the screws of the servos need around them.
-double link_radius(const Assembly& assembly);
 
 /// Torque limit of a joint [N m], force limit of a linear actuator [N]: the share of the one that
 /// is asked for, of the stall torque where that is the continuous one and not known.

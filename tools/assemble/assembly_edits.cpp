@@ -81,6 +81,7 @@ void set_of_trunk(Assembly& assembly, const AssemblyItem& item, const std::strin
     trunk.outline.front().size = vector_value(value, key);
   else
     trunk.mass = number_value(value, key);
+  assembly.trunk_as_printed = assembly.trunk_as_printed && key == "size";
   replace_module(assembly, item, trunk);
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mjcf/assembly/assembly_names.hpp"
+#include "mjcf/assembly/tray_mass.hpp"
 #include "mjcf/text/nearest_word.hpp"
 #include "tools/modules/linear_pivots.hpp"
 #include "tools/modules/table_values.hpp"
@@ -46,6 +47,7 @@ class AssemblyReader {
     check_places();
     root_.finish();
     problems_.throw_if_any();
+    if (out_.trunk_as_printed) out_.trunk.mass = tray_mass(out_);
     return std::move(out_);
   }
 
@@ -64,9 +66,7 @@ class AssemblyReader {
                           std::optional<ModuleKind> other = {}) {
     const auto name = in.text(key);
     if (!name) return nullptr;
-    const auto may = [&](const Module& module) {
-      return module.kind == kind || module.kind == other;
-    };
+    const auto may = [&](const Module& each) { return each.kind == kind || each.kind == other; };
     const ModuleFile* found = library_.find_or_null(*name);
     if (found && may(found->module)) return &found->module;
     if (found)
@@ -93,8 +93,7 @@ class AssemblyReader {
   }
 
   /// One of two words. @return whether it is the second
-  bool second_of(TaskTable& in, std::string_view key, const std::string& first,
-                 const std::string& second) {
+  bool second_of(TaskTable& in, std::string_view key, const char* first, const char* second) {
     const std::string word = in.text(key).value_or(first);
     if (word != first && word != second)
       refuse(in, key, fmt::format("is \"{}\"; expected \"{}\" or \"{}\"", word, first, second));
@@ -123,7 +122,7 @@ class AssemblyReader {
     for (const char* const key : {"wall", "clearance"})
       if (link.has(key) && out_.link_shape == LinkShape::capsule)
         refuse(link, key, "is of hulls; take it out, or let shape be \"hull\"");
-    out_.link_wall = link.number("wall").value_or(out_.link_wall);
+    out_.link_wall = link.number("wall");
     out_.link_clearance = link.number("clearance").value_or(out_.link_clearance);
     out_.link_radius = link.number("radius");
     out_.link_density = link.number("density").value_or(out_.link_density);
@@ -132,9 +131,9 @@ class AssemblyReader {
 
   void read_print() {
     const toml::table* toml = root_.table("print");
-    if (!toml) return;
-    if (out_.link_shape == LinkShape::capsule)
+    if (toml && out_.link_shape == LinkShape::capsule)
       refuse(root_, "print", "is of hulls; take it out, or let [link] shape be \"hull\"");
+    if (!toml) return;
     TaskTable print = table(toml, "print");
     out_.print = PrintLimits{};
     if (const auto bed = print.numbers("bed")) out_.print->bed = {(*bed)[0], (*bed)[1]};
@@ -162,14 +161,16 @@ class AssemblyReader {
              "stands beside size or mass; give the module, or the box's size and mass");
     if (!named) {
       in.require(in.has("size"), "size", "size = [0.2, 0.1, 0.04]");
-      in.require(in.has("mass"), "mass", "mass = 0.4");
+      in.require(in.has("mass") || out_.print, "mass", "mass = 0.4");
       OutlineShape box;
       box.size = size ? vector_of(*size) : Vector3d::Ones();
       out_.trunk.name = "trunk";
       out_.trunk.kind = ModuleKind::trunk;
       out_.trunk.mass = mass.value_or(1.0);
+      out_.trunk_as_printed = !mass && out_.print;
       out_.trunk.outline = {box};
     }
+    out_.trunk_line = in.line_of(named ? "module" : mass ? "mass" : "size");
     in.finish();
   }
 
@@ -326,9 +327,8 @@ class AssemblyReader {
       refuse(in, "name",
              fmt::format("is \"{}\" a second time in this limb; give each joint its own name",
                          joint.name));
-    const bool twin =
-        std::any_of(limb.joints.begin(), limb.joints.end(),
-                    [&](const AssemblyJoint& other) { return other.link == joint.link; });
+    const bool twin = std::ranges::any_of(
+        limb.joints, [&](const AssemblyJoint& other) { return other.link == joint.link; });
     if (!is_plain_name(joint.link) || twin || joint.link.ends_with("_servo"))
       refuse(in, "link",
              fmt::format("is \"{}\"; expected letters, digits, '_' and '-', another name for each "

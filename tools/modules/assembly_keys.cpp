@@ -28,7 +28,10 @@ std::vector<TaskKey> keys_of_the_assembly() {
                "Module of the kind `trunk`; or `size` and `mass`."),
       numbers_key("trunk.size", {0.0, 5.0, true, false, "m"}, 3, "none", "[0.2, 0.1, 0.04]",
                   "Length, width and height of a box."),
-      number_key("trunk.mass", {0.0, 1000.0, true, false, "kg"}, "none", "0.4", "Of that box."),
+      number_key("trunk.mass", {0.0, 1000.0, true, false, "kg"}, "none; of `[print]` its tray's",
+                 "0.4",
+                 "Of that box. A robot with `[print]` has a trunk of at least what its tray weighs "
+                 "as it is printed, at the largest of its designs; `build` tells it."),
       tables_key("part", "none", "[{module = \"lipo_3s_2200\"}]",
                  "`[[part]]`, once for each thing that rides on the trunk."),
       text_key("part.module", "needed", "\"lipo_3s_2200\"",
@@ -42,9 +45,12 @@ std::vector<TaskKey> keys_of_the_assembly() {
       number_key(
           "link.radius", {0.0, 0.5, true, false, "m"}, "0.006", "0.005",
           "Of a hull's round pads on horns and attachments, and of capsules, which collide in "
-          "the place of hulls. With `[print]` the default is as wide as the servos' screws need."),
+          "the place of hulls. With `[print]` the default is as wide as the servos' screws need, "
+          "else 0.4 of "
+          "their width, and less in a ball foot."),
       number_key("link.wall", {0.0, 0.1, true, false, "m"}, "0.003", "0.004",
-                 "Thickness of those pads."),
+                 "Thickness of those pads. With `[print]` the default is as thick as the servos' "
+                 "torques and the robot's weight on its feet need."),
       number_key("link.clearance", {0.0, 0.1, true, false, "m"}, "0.001", "0.002",
                  "Of a hull to the servo that turns it, at each angle of its range; `build` tells "
                  "where it is less."),

@@ -79,7 +79,7 @@ class AssemblyText {
     const Module& trunk = assembly_.trunk;
     if (!is_own_box(trunk)) return line("module", quoted(trunk.name));
     line("size", list(trunk.outline.front().size));
-    line("mass", format_number(trunk.mass));
+    if (!assembly_.trunk_as_printed) line("mass", format_number(trunk.mass));
   }
 
   void write_link() {
@@ -88,7 +88,7 @@ class AssemblyText {
     out_.clear();
     if (assembly_.link_shape == LinkShape::capsule) line("shape", quoted("capsule"));
     if (assembly_.link_radius) line("radius", format_number(*assembly_.link_radius));
-    number_unless("wall", assembly_.link_wall, other.link_wall);
+    if (assembly_.link_wall) line("wall", format_number(*assembly_.link_wall));
     number_unless("clearance", assembly_.link_clearance, other.link_clearance);
     number_unless("density", assembly_.link_density, other.link_density);
     out_ = before + (out_.empty() ? "" : "\n[link]\n") + out_;

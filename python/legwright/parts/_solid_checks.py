@@ -95,7 +95,10 @@ def _masses(part: Part) -> list[Check]:
     """Of the hulls against the file, at the density that each declares; a trunk is not heavier."""
     if part.solid.link.servo is None and not part.solid.link.hulls:
         share = part.solid.mass / part.solid.file_mass
-        cure = 'a larger mass under [trunk] of the assembly, or a smaller --wall'
+        cure = (
+            'no mass under [trunk] of the assembly, then it is that of the tray, or a larger one; '
+            'or a smaller --wall'
+        )
         of = "of its module's mass"
         return [at_most(part.name, 'mass of the trunk', share, 1.0, of, '', cure)]
     worst = 0.0

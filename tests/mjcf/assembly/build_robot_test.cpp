@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mjcf/assembly/assembly_xml.hpp"
+#include "mjcf/assembly/link_sizes.hpp"
 #include "mjcf/read/feet.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
@@ -34,26 +35,6 @@ TEST(AssembledRobot, WeighsItsModulesAndItsLinks) {
   const ModelPointer model = compile_mjcf(assembly_xml(assembly, 0.2), "dog.xml");
   const double link = capsule_mass(0.09, link_radius(assembly), assembly.link_density);
   EXPECT_NEAR(mass_of(*model), 0.4 + 0.2 + 8 * 0.06 + 4 * 0.01 + 8 * link, 1e-9);
-}
-
-TEST(AssembledRobot, ToBePrintedHasPadsAsWideAsItsServosScrewsNeed) {
-  Assembly assembly = boxy_dog();
-  assembly.link_shape = LinkShape::hull;
-  Attachment horn{"horn", true, {0.0, 0.009, 0.017}, Vector3d::UnitZ(), "M2", {}};
-  for (const double side : {-0.008, 0.008}) {
-    horn.holes.push_back(horn.position + side * Vector3d::UnitX());
-    horn.holes.push_back(horn.position + side * Vector3d::UnitY());
-  }
-  Attachment back = horn;
-  back.screws = "";  // not known
-  back.holes = {Vector3d::Ones()};
-  assembly.limbs[0].joints[1].servo.attachments = {back, horn};
-  EXPECT_EQ(link_radius(assembly), 0.006) << "not to be printed";
-  assembly.print = PrintLimits{};
-  // 8 mm to the holes, 1.2 of their own, 1.2 around them: 10.4 mm to the flat sides of an octagon.
-  EXPECT_EQ(link_radius(assembly), 0.0113);
-  assembly.link_radius = 0.007;
-  EXPECT_EQ(link_radius(assembly), 0.007) << "which its file gives";
 }
 
 TEST(AssembledRobot, HasTheFiguresOfItsServos) {

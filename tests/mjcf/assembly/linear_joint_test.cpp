@@ -10,6 +10,7 @@
 
 #include "mjcf/assembly/assembly_xml.hpp"
 #include "mjcf/assembly/build_robot.hpp"
+#include "mjcf/assembly/link_sizes.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/compile.hpp"
 #include "tests/mjcf/assembly/piston_dog.hpp"

@@ -26,6 +26,8 @@ inline Assembly short_dog() {
 inline Assembly printed_dog(const Eigen::Vector2d& bed = PrintLimits{}.bed, double margin = 0.0) {
   Assembly out = short_dog();
   out.print = PrintLimits{bed, 0.0, margin};
+  out.link_radius = 0.006;
+  out.link_wall = 0.003;
   return out;
 }
 
