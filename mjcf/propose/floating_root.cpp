@@ -16,6 +16,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/model_arrays.hpp"
+#include "mjcf/text/numbers.hpp"
 #include "mjcf/text/refusals.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/text/xml.hpp"
@@ -74,8 +75,16 @@ std::string named_by(const XmlElement& element, const char* name, const std::str
   return std::find(gone.begin(), gone.end(), of) == gone.end() ? "" : std::string(of);
 }
 
+/// Whether an element stands in a body that goes and can stand in the trunk as well.
+bool moves_along(const XmlElement& element, const XmlElement& carrier) {
+  const bool shows =
+      is_tag(element, "camera") || is_tag(element, "light") || is_tag(element, "site");
+  return shows && element.Parent() == &carrier;
+}
+
 /// Throws InputError with all elements that name what goes: one of the six joints, or a body that
-/// carries the trunk or a geom of it, and with all else that stands in such a body.
+/// carries the trunk or a geom of it, and with all else that stands in such a body, unless it moves
+/// along.
 void refuse_references(const RobotFiles& files, const SixJointRoot& root) {
   const auto xml = load_xml(files.text(), files.file());
   Refusals reasons;
@@ -109,7 +118,7 @@ void refuse_references(const RobotFiles& files, const SixJointRoot& root) {
     for_each_element(*body, [&](const XmlElement& element) {
       const bool stays = body_around(element) != body || attribute(*body, "name") == root.body;
       for (const char* tag : {"joint", "inertial", "geom", "frame", "body"})
-        if (stays || is_tag(element, tag)) return;
+        if (stays || is_tag(element, tag) || moves_along(element, *body)) return;
       reasons.add(xml->error(
           element,
           fmt::format("stands in a body that does nothing but carry the trunk '{0}' on its "
@@ -182,16 +191,59 @@ void place_trunk(TextEdits& edits, const std::vector<const XmlElement*>& chain,
     edits.set(trunk, "childclass", std::string(attribute(*around, "childclass")));
 }
 
+/// The class of defaults that a body's elements have from it or from bodies around it.
+std::string class_within(const XmlFile& xml, const XmlElement& body) {
+  for (const XmlElement* around = &body; around != nullptr;
+       around = around->Parent() ? around->Parent()->ToElement() : nullptr)
+    if (has_attribute(*around, "childclass")) return std::string(attribute(*around, "childclass"));
+  const XmlElement* const defaults = xml.root().FirstChildElement("default");
+  const bool named = defaults != nullptr && has_attribute(*defaults, "class");
+  return named ? std::string(attribute(*defaults, "class")) : "main";
+}
+
+/// Cameras, lights and sites of the bodies that carried the trunk, for it, each in a frame that has
+/// the place and the class of its body; without line ends.
+std::string moved_along(const XmlFile& xml, const std::vector<const XmlElement*>& chain,
+                        const mjModel& model, const std::filesystem::path& file) {
+  const DataPointer data = kinematics_at(model, model.qpos0, file);
+  const auto pose_of_body = [&](const XmlElement& body) {
+    const std::string name(attribute(body, "name"));
+    const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = rotation_at(data->xquat, id);
+    pose.translation() = vector_at(data->xpos, id);
+    return pose;
+  };
+  std::string out;
+  for (std::size_t k = 1; k < chain.size(); ++k) {
+    const Eigen::Isometry3d in_trunk =
+        pose_of_body(*chain.front()).inverse() * pose_of_body(*chain[k]);
+    const Eigen::Quaterniond turn(in_trunk.rotation());
+    const Eigen::Vector4d quat(turn.w(), turn.x(), turn.y(), turn.z());
+    for_each_element(*chain[k], [&](const XmlElement& element) {
+      if (!moves_along(element, *chain[k])) return;
+      const TagSpan& tag = xml.tag(element);
+      std::string text = xml.text.substr(tag.begin, tag.close_end - tag.begin);
+      for (char& c : text)
+        if (c == '\n' || c == '\r') c = ' ';
+      out += fmt::format("<frame childclass=\"{}\" pos=\"{}\" quat=\"{}\">{}</frame>",
+                         escape_xml(class_within(xml, *chain[k])),
+                         format_numbers(in_trunk.translation()), format_numbers(quat), text);
+    });
+  }
+  return out;
+}
+
 /// As a comment of as many lines: two dashes would end it.
 std::string commented(std::string was) {
   for (std::size_t at; (at = was.find("--")) != std::string::npos;) was.insert(at + 1, " ");
   return "<!-- " + was + " -->";
 }
 
-/// With `added` before the first joint of the trunk and all six in comments, and with them the
-/// bodies that carried it, so that every line stays where it was.
+/// With `added` before the first joint of the trunk, what moves along at its head, and all six in
+/// comments, and with them the bodies that carried it, so that every line stays where it was.
 std::string replaced(const std::string& text, const std::filesystem::path& file,
-                     const SixJointRoot& root, const std::string& added) {
+                     const SixJointRoot& root, const std::string& added, const std::string& moved) {
   const auto xml = load_xml(text, file);
   std::string out = xml->text;
   const std::vector<const XmlElement*> chain = chain_elements(*xml, root);
@@ -206,7 +258,7 @@ std::string replaced(const std::string& text, const std::filesystem::path& file,
     const TagSpan& tag = xml->tag(**joint);
     comment(tag.begin, tag.close_end, *joint == joints.front() ? added + " " : "");
   }
-  if (joints.empty()) out.insert(trunk.end, added);
+  out.insert(trunk.end, (joints.empty() ? added : "") + moved);
   comment(outer.begin, trunk.begin, "");
   return out;
 }
@@ -246,8 +298,10 @@ RobotFiles with_free_root(const RobotFiles& files, const SixJointRoot& root) {
   TextEdits edits(*xml);
   if (is_carried) place_trunk(edits, chain, *model, body, files.file());
   change_keyframes(edits, files, *xml, *model, body, root.first);
+  const std::string moved = moved_along(*xml, chain, *model, files.file());
   return files.with_main(replaced(edits.apply(), files.file(), root,
-                                  fmt::format("<freejoint name=\"{}\"/>", free_name(*model))));
+                                  fmt::format("<freejoint name=\"{}\"/>", free_name(*model)),
+                                  moved));
 }
 
 }  // namespace legwright

@@ -31,7 +31,8 @@ std::optional<SixJointRoot> find_six_joint_root(const std::string& xml,
 /// The same robot with a free joint in the place of those six, and keyframes in which position,
 /// turn and velocity of the trunk are those that they had. The six, and bodies that carried the
 /// trunk, stay as comments, so that every line is where it was; all other bytes stay but for place
-/// and class of a trunk that was carried.
+/// and class of a trunk that was carried. Cameras, lights and sites of its carriers move into it,
+/// where they are seen in the same place while all of the six are at rest.
 /// Throws InputError for elements that name one of the six (actuators, sensors, tendons) or a
 /// carrier, for what else stands in carriers, and for joints or keyframes that are not in the main
 /// file.

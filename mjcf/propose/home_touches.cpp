@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -18,9 +19,11 @@
 namespace legwright {
 namespace {
 
-constexpr double kDeep = 1e-6;          // [m]: less is rounding
-constexpr double kOverlap = 1e-4;       // [m]: less does not push a robot
-constexpr std::size_t kMostListed = 4;  // of them
+constexpr double kDeep = 1e-6;           // [m]: less is rounding
+constexpr double kOverlap = 1e-4;        // [m]: less does not push a robot
+constexpr std::size_t kMostListed = 4;   // of them
+constexpr std::size_t kMostBetween = 3;  // hinges of a limb between two links
+constexpr double kUnlimited = 1.0;       // [rad] each way, of a hinge without a range
 
 using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
 
@@ -76,6 +79,88 @@ std::set<int> geoms_of_modules(const mjModel& model) {
   return out;
 }
 
+/// Of two bodies the two geoms that are deepest in each other; `first` is of the lower body id.
+struct GeomPair {
+  int first, second;
+  double depth;
+};
+
+/// Links that overlap in the home pose and collide when the robot is played, by their bodies.
+std::map<std::pair<int, int>, GeomPair> overlapping_pairs(const RobotModel& robot,
+                                                          const mjModel& model,
+                                                          const std::set<int>& of_modules) {
+  std::map<std::pair<int, int>, GeomPair> deepest;
+  for (const auto& [geoms, depth] : home_depths(model, robot.file)) {
+    const auto bodies =
+        std::minmax({model.geom_bodyid[geoms.first], model.geom_bodyid[geoms.second]});
+    const bool of_robot = model.body_rootid[bodies.first] == robot.structure.trunk &&
+                          model.body_rootid[bodies.second] == robot.structure.trunk;
+    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
+                         of_modules.count(geoms.second) > 0;
+    if (!of_robot || is_told || depth < kOverlap ||
+        pass_when_played(model, robot.structure, bodies.first, bodies.second))
+      continue;
+    const bool ordered = model.geom_bodyid[geoms.first] == bodies.first;
+    const GeomPair found{ordered ? geoms.first : geoms.second, ordered ? geoms.second : geoms.first,
+                         depth};
+    const auto known = deepest.emplace(bodies, found).first;
+    if (known->second.depth < depth) known->second = found;
+  }
+  return deepest;
+}
+
+/// The hinges by which `body` hangs on one above it; nothing where it does not, by others, or by
+/// more than kMostBetween.
+std::optional<std::vector<int>> hinges_between(const mjModel& model, int above, int body) {
+  std::vector<int> out;
+  for (; body != above; body = model.body_parentid[body]) {
+    if (body == 0) return std::nullopt;
+    for (int k = 0; k < model.body_jntnum[body]; ++k) {
+      const int joint = model.body_jntadr[body] + k;
+      if (model.jnt_type[joint] != mjJNT_HINGE || out.size() == kMostBetween) return std::nullopt;
+      out.push_back(joint);
+    }
+  }
+  return out;
+}
+
+/// Whether two bodies overlap in a pose.
+bool overlap_at(const mjModel& model, mjData& data, const std::pair<int, int>& bodies) {
+  mj_fwdPosition(&model, &data);
+  for (int c = 0; c < data.ncon; ++c) {
+    const mjContact& contact = data.contact[c];
+    if (contact.geom[0] < 0 || contact.geom[1] < 0 || contact.dist > -kOverlap) continue;
+    const int a = model.geom_bodyid[contact.geom[0]], b = model.geom_bodyid[contact.geom[1]];
+    if (std::pair<int, int>(std::minmax(a, b)) == bodies) return true;
+  }
+  return false;
+}
+
+/// Whether they do wherever the hinges turn: at the ends and in the middle of each range.
+bool overlap_everywhere(const mjModel& model, const std::filesystem::path& file,
+                        const std::vector<int>& hinges, const std::pair<int, int>& bodies) {
+  const DataPointer data = kinematics_at(model, home_qpos(model), file);
+  std::size_t poses = 1;
+  for (std::size_t k = 0; k < hinges.size(); ++k) poses *= 3;
+  bool all = true;
+  call_engine(file, [&] {
+    for (std::size_t pose = 0; all && pose < poses; ++pose) {
+      std::size_t rest = pose;
+      for (const int joint : hinges) {
+        const int at = model.jnt_qposadr[joint];
+        const double home = home_qpos(model)[at];
+        const bool limited = model.jnt_limited[joint] != 0;
+        const double low = limited ? model.jnt_range[2 * joint] : home - kUnlimited;
+        const double high = limited ? model.jnt_range[2 * joint + 1] : home + kUnlimited;
+        data->qpos[at] = low + 0.5 * static_cast<double>(rest % 3) * (high - low);
+        rest /= 3;
+      }
+      all = overlap_at(model, *data, bodies);
+    }
+  });
+  return all;
+}
+
 ModelPointer compiled(const std::filesystem::path& file) {
   const RobotFiles files = RobotFiles::read(file);
   return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
@@ -118,51 +203,56 @@ std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesyst
   return out;
 }
 
-std::vector<std::string> overlapping_links(const RobotModel& robot) {
-  struct Pair {
-    int first_geom, second_geom;
-    double depth;
-  };
+std::vector<BodyTouch> lasting_overlaps(const RobotModel& robot) {
   const ModelPointer model = compile_mjcf(robot.xml, robot.file);
   const std::set<int> of_modules = geoms_of_modules(*model);
-  std::map<std::pair<int, int>, Pair> deepest;  // of two bodies
-  for (const auto& [geoms, depth] : home_depths(*model, robot.file)) {
-    const auto bodies =
-        std::minmax({model->geom_bodyid[geoms.first], model->geom_bodyid[geoms.second]});
-    const bool of_robot = model->body_rootid[bodies.first] == robot.structure.trunk &&
-                          model->body_rootid[bodies.second] == robot.structure.trunk;
-    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
-                         of_modules.count(geoms.second) > 0;
-    if (!of_robot || is_told || depth < kOverlap ||
-        pass_when_played(*model, robot.structure, bodies.first, bodies.second))
-      continue;
-    const bool ordered = model->geom_bodyid[geoms.first] == bodies.first;
-    const Pair found{ordered ? geoms.first : geoms.second, ordered ? geoms.second : geoms.first,
-                     depth};
-    const auto known = deepest.emplace(bodies, found).first;
-    if (known->second.depth < depth) known->second = found;
+  if (!of_modules.empty()) return {};  // those are moved apart in their assembly
+  std::vector<BodyTouch> out;
+  for (const auto& [bodies, pair] : overlapping_pairs(robot, *model, of_modules)) {
+    BodyTouch touch{name_of(*model, mjOBJ_BODY, bodies.first),
+                    name_of(*model, mjOBJ_BODY, bodies.second), pair.depth};
+    const auto hinges = hinges_between(*model, bodies.first, bodies.second);
+    if (!hinges || touch.first.empty() || touch.second.empty()) continue;
+    if (overlap_everywhere(*model, robot.file, *hinges, bodies)) out.push_back(std::move(touch));
   }
+  return out;
+}
+
+std::string excluded_words(const std::vector<BodyTouch>& touches) {
+  std::vector<std::string> pairs;
+  for (const BodyTouch& touch : touches)
+    pairs.push_back(
+        fmt::format("'{}' in '{}' ({:.2g} mm)", touch.second, touch.first, 1e3 * touch.depth));
+  return fmt::format(
+      "shapes of one limb overlap wherever its joints turn: {}; an <exclude> in <contact> lets {} "
+      "pass",
+      listed(pairs, kMostListed), pairs.size() == 1 ? "them" : "each two");
+}
+
+std::vector<std::string> overlapping_links(const RobotModel& robot) {
+  const ModelPointer model = compile_mjcf(robot.xml, robot.file);
+  const std::set<int> of_modules = geoms_of_modules(*model);
+  const auto deepest = overlapping_pairs(robot, *model, of_modules);
   if (deepest.empty()) return {};
-  std::vector<Pair> pairs;
+  std::vector<GeomPair> pairs;
   for (const auto& [bodies, pair] : deepest) pairs.push_back(pair);
   std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.depth > b.depth; });
+                   [](const GeomPair& a, const GeomPair& b) { return a.depth > b.depth; });
   std::vector<std::string> told;
-  for (const Pair& pair : pairs)
-    told.push_back(fmt::format(
-        "{} is {:.2g} mm inside {}{} ({} in {})",
-        describe_body(*model, model->geom_bodyid[pair.second_geom]), 1e3 * pair.depth,
-        describe_body(*model, model->geom_bodyid[pair.first_geom]),
-        told.empty() ? " in the home pose" : "", describe_shape(*model, pair.second_geom),
-        describe_shape(*model, pair.first_geom)));
+  for (const GeomPair& pair : pairs)
+    told.push_back(
+        fmt::format("{} is {:.2g} mm inside {}{} ({} in {})",
+                    describe_body(*model, model->geom_bodyid[pair.second]), 1e3 * pair.depth,
+                    describe_body(*model, model->geom_bodyid[pair.first]),
+                    told.empty() ? " in the home pose" : "", describe_shape(*model, pair.second),
+                    describe_shape(*model, pair.first)));
   const auto name = [&](int geom) { return name_of(*model, mjOBJ_BODY, model->geom_bodyid[geom]); };
   const std::string cure =
       of_modules.empty()
           ? fmt::format(
                 "give {} an <exclude body1=\"{}\" body2=\"{}\"/> in <contact>, or make one "
                 "smaller",
-                told.size() == 1 ? "them" : "each two", name(pairs[0].first_geom),
-                name(pairs[0].second_geom))
+                told.size() == 1 ? "them" : "each two", name(pairs[0].first), name(pairs[0].second))
           : "move them apart in the robot's assembly by hip, step or offset, and build it anew";
   return {fmt::format("{}: what is played pushes them apart, whatever the gait; {}",
                       listed(told, kMostListed, "; "), cure)};

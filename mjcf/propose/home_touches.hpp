@@ -42,6 +42,13 @@ std::vector<BodyTouch> touching_bodies(const mjModel& model, const std::filesyst
 /// each other are for overlapping_modules() to tell. Throws as above.
 std::vector<std::string> overlapping_links(const RobotModel& robot);
 
+/// Links of a robot of which one hangs on the other by at most three hinges, with a link between,
+/// and that overlap so in the home pose and wherever these hinges turn in their ranges: no gait
+/// takes them apart. In the order of the file; without modules, and bodies without names.
+std::vector<BodyTouch> lasting_overlaps(const RobotModel& robot);
+/// What is done about them: "'thigh' in 'trunk' … overlap in every pose: <exclude> …".
+std::string excluded_words(const std::vector<BodyTouch>& touches);
+
 /// What there is to say of them, in a sentence with the cure; empty where there are none.
 std::string describe(const std::vector<HomeTouch>& touches);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "mjcf/propose/facing.hpp"
@@ -17,11 +18,10 @@
 namespace legwright {
 namespace {
 
-constexpr std::size_t kFewest = 3;    // legs among which one is the odd one
-constexpr double kLateral = 0.9;      // of an axis across the robot
-constexpr double kOneSided = 0.1;     // [rad]: ends of a range that differ less from a mirrored one
-constexpr double kSlowestGait = 2.0;  // [rad/s]: joints reach more in any gait
-constexpr double kSameRange = 1e-6;   // [rad]
+constexpr std::size_t kFewest = 3;   // legs among which one is the odd one
+constexpr double kLateral = 0.9;     // of an axis across the robot
+constexpr double kOneSided = 0.1;    // [rad]: ends of a range that differ less from a mirrored one
+constexpr double kSameRange = 1e-6;  // [rad]
 
 /// The joints in one place of all legs of one build.
 struct JointsAlike {
@@ -104,6 +104,14 @@ std::string bent_the_other_way(const JointsAlike& place, const mjModel& model, i
       one.name, axis_text(one), listed(names_but(place, odd)), other.name, axis_text(other));
 }
 
+/// The speed at which a joint's damping takes all that its motor gives [rad/s].
+double damped_speed(const Joint& joint, std::optional<double> limit) {
+  const double torque = std::min(joint.torque_limit, limit.value_or(joint.torque_limit));
+  if (!(joint.damping > 0.0) || !std::isfinite(torque))
+    return std::numeric_limits<double>::infinity();
+  return std::max(0.0, torque - joint.friction_loss) / joint.damping;
+}
+
 }  // namespace
 
 std::vector<std::string> odd_joints(const RobotModel& robot) {
@@ -146,22 +154,27 @@ std::string unlimited_torques(const RobotModel& robot) {
       names.size() == 1 ? "it" : "them");
 }
 
-std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit) {
+double damped_joint_speed(const RobotModel& robot, std::optional<double> limit, double most) {
+  double slowest = most;
+  for (const Link& link : robot.morphology.links)
+    slowest = std::min(slowest, damped_speed(link.joint, limit));
+  return slowest;
+}
+
+std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit, double needed) {
   std::vector<std::string> names;
   std::string most;
-  double slowest = kSlowestGait;
+  double slowest = needed;
   for (const Link& link : robot.morphology.links) {
     const Joint& joint = link.joint;
-    const double torque = std::min(joint.torque_limit, limit.value_or(joint.torque_limit));
-    if (!(joint.damping > 0.0) || !std::isfinite(torque)) continue;
-    const double fastest = std::max(0.0, torque - joint.friction_loss) / joint.damping;
-    if (fastest < kSlowestGait) names.push_back(joint.name);
+    const double fastest = damped_speed(joint, limit);
+    if (fastest < needed) names.push_back(joint.name);
     if (fastest >= slowest) continue;
     slowest = fastest;
     most = fmt::format(
         "that of joint '{}' is {:.3g} N m s/rad, so that its motor of {:.3g} N m{} "
         "turns it at {:.2g} rad/s at most",
-        joint.name, joint.damping, torque,
+        joint.name, joint.damping, std::min(joint.torque_limit, limit.value_or(joint.torque_limit)),
         joint.friction_loss > 0.0
             ? fmt::format(", less {:.3g} N m of dry friction,", joint.friction_loss)
             : "",
@@ -169,9 +182,9 @@ std::string overdamped_joints(const RobotModel& robot, std::optional<double> lim
   }
   if (names.empty()) return "";
   return fmt::format(
-      "damping leaves joints slower than any gait ({}): {}; lower the damping or, where the motor "
-      "is "
-      "stronger, raise its limit (forcerange)",
+      "damping leaves joints slower than a gait of usual speed ({}): {}; a slow gait with a long "
+      "cycle may do, as the first task of init has it, else lower the damping or, where the motor "
+      "is stronger, raise its limit (forcerange)",
       listed(names), most);
 }
 

@@ -18,8 +18,17 @@ std::vector<std::string> odd_joints(const RobotModel& robot);
 /// The sentence on servos whose torque nobody limits; empty where all have limits.
 std::string unlimited_torques(const RobotModel& robot);
 
-/// The sentence on joints whose damping takes all that their motors give at a speed below that of
-/// any gait; empty where there are none. @param limit of a task, on all motors [N m]
-std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit = {});
+/// Joint speed below which no usual gait keeps [rad/s].
+inline constexpr double kUsualJointSpeed = 2.0;
+
+/// The speed at which damping takes all that its motor gives, of the joint where that is least; no
+/// less than `most` where none is slower. @param limit of a task, on all motors [N m]
+double damped_joint_speed(const RobotModel& robot, std::optional<double> limit = {},
+                          double most = kUsualJointSpeed);
+
+/// The sentence on joints whose damping takes all that their motors give at a speed below `needed`;
+/// empty where there are none. @param limit of a task, on all motors [N m]
+std::string overdamped_joints(const RobotModel& robot, std::optional<double> limit = {},
+                              double needed = kUsualJointSpeed);
 
 }  // namespace legwright

@@ -41,8 +41,10 @@ bool only_carries(const mjModel& model, int body) {
   return true;
 }
 
-/// From a child of the world down to the body that has the sixth joint, or to what is fixed on
-/// that; empty where there are not six joints, or bodies above the last do more than carry it.
+/// From a child of the world down to the body that has the sixth joint, or, where the joints are
+/// those of several, to what is fixed on that; empty where there are not six joints, or bodies
+/// above the last do more than carry it. A body that has all six may be the trunk itself, or a
+/// frame around it: what stands in it stays.
 std::vector<int> chain_from(const mjModel& model, int first) {
   std::vector<int> out{first};
   int joints = model.body_jntnum[first];
@@ -53,6 +55,7 @@ std::vector<int> chain_from(const mjModel& model, int first) {
     joints += model.body_jntnum[next];
   }
   if (joints > kJointsOfARoot) return {};
+  if (out.size() == 1) return out;
   while (only_carries(model, out.back())) {
     const int next = only_child(model, out.back());
     if (next < 0 || model.body_jntnum[next] > 0) break;

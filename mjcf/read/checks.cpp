@@ -154,7 +154,8 @@ void check_has_free_joint(const XmlFile& xml) {
   const bool floats = slides == 3 && hinges == 3;
   throw xml.error(*first_body,
                   fmt::format("no free root: the trunk of a walking robot moves freely; {}",
-                              !floats ? "add <freejoint/> to it"
+                              !floats ? "add <freejoint/> to it, as legwright init ROBOT.xml "
+                                        "--write does where limbs move on it"
                               : attribute(*first_body, "name").empty()
                                   ? "give it a name; then legwright init ROBOT.xml -o NEW.xml "
                                     "puts a free joint in the place of its six"

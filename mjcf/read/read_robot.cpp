@@ -152,7 +152,6 @@ RobotModel parse_robot(const std::string& xml_text, const std::filesystem::path&
 }
 
 RobotModel parse_robot(const RobotFiles& files, const Structure* known) {
-  files.check_names_of_runs();
   RobotModel robot =
       files.at_their_lines([&] { return parse_text(files.text(), files.file(), known); });
   robot.files = files;

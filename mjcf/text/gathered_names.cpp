@@ -80,12 +80,14 @@ fs::path first_free(const fs::path& wished, const TakenNames& taken) {
 
 }  // namespace
 
+bool needed_by_runs(const fs::path& path) { return is_name_of_runs(path.begin()->string()); }
+
 std::map<fs::path, fs::path> gathered_names(const std::vector<FileMention>& mentions,
                                             std::size_t includes) {
   std::map<fs::path, fs::path> names, of_assets;  // by path, by the file behind links
   TakenNames taken;
   for (const FileMention& mention : mentions) {
-    if (path_below(mention.path).empty()) continue;
+    if (path_below(mention.path).empty() || needed_by_runs(mention.path)) continue;
     names.emplace(mention.path, mention.path);
     taken.take(mention.path);
   }

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "mjcf/text/assets.hpp"
+#include "mjcf/text/gathered_names.hpp"
 #include "mjcf/text/mesh_copies.hpp"
-#include "mjcf/text/names_of_runs.hpp"
 #include "mjcf/text/safe_path.hpp"
 #include "mjcf/text/splice.hpp"
 #include "mjcf/text/text_scan.hpp"
@@ -107,6 +107,8 @@ RobotFiles RobotFiles::from_text(std::string text, const fs::path& file, const F
       out.assets_.push_back(std::move(asset.file));
     }
   });
+  for (const FileMention& mention : out.mentions_)
+    if (needed_by_runs(mention.path)) out.gathered_ = false;
   out.sort_assets();
   return out;
 }
@@ -215,18 +217,6 @@ InputError RobotFiles::located(const InputError& error) const {
   }
   words.append(message, copied, std::string::npos);
   return InputError(place.file.string(), place.line, error.where(), words);
-}
-
-void RobotFiles::check_names_of_runs() const {
-  for (const FileMention& mention : mentions_) {
-    const std::string first = mention.path.begin()->string();  // "..": gathered() finds a name
-    if (is_name_of_runs(first))
-      throw InputError(
-          mention.file, mention.line, mention.where,
-          fmt::format("the folders of a run hold a file of their own named {}; name this one "
-                      "otherwise, or put it into a folder below",
-                      first));
-  }
 }
 
 }  // namespace legwright

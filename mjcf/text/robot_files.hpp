@@ -48,7 +48,8 @@ class RobotFiles {
   /// Throws std::logic_error where that is not so.
   RobotFiles with_text(const std::string& text) const;
   /// The files as copies have them: each below the folder of the main file, named by its path from
-  /// there. Files that lie there already keep their names, and a robot of such only is as it was.
+  /// there. Files that lie there already keep their names but where runs have a file of that name
+  /// (scene.xml becomes robot_scene.xml), and a robot of such only is as it was.
   /// The model is the same: so are the names that assets get from their files.
   RobotFiles gathered() const;
   /// The gathered files where they were copied to, as `file` and beside it, by somebody who will
@@ -66,10 +67,6 @@ class RobotFiles {
       throw located(error);
     }
   }
-
-  /// Throws InputError at an <include> or asset whose path a run needs for a file of its own, like
-  /// scene.xml.
-  void check_names_of_runs() const;
 
  private:
   using PathMap = std::map<std::filesystem::path, std::filesystem::path>;

@@ -19,6 +19,7 @@
 #include "optimizer/motion/margins.hpp"
 #include "optimizer/motion/pendulum.hpp"
 #include "optimizer/terms/registry.hpp"
+#include "tools/task/damped_pace.hpp"
 #include "tools/task/gait_table.hpp"
 #include "tools/task/servo_sag.hpp"
 #include "tools/task/stuck_feet.hpp"
@@ -257,7 +258,8 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   for (std::string& unlike : unlike_sides(robot)) warnings.push_back(std::move(unlike));
   if (std::string why = unlimited_torques(robot); !why.empty() && !task.torque_limit)
     warnings.push_back(why + ", or torque_limit in the task's [limits]");
-  if (std::string why = overdamped_joints(robot, task.torque_limit); !why.empty())
+  if (std::string why = overdamped_joints(robot, task.torque_limit, asked_joint_speed(robot, task));
+      !why.empty())
     warnings.push_back(std::move(why));
   for (std::string& overlap : overlapping_modules(robot)) warnings.push_back(std::move(overlap));
   for (std::string& overlap : overlapping_links(robot)) warnings.push_back(std::move(overlap));

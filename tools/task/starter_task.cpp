@@ -13,6 +13,7 @@
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/gait.hpp"
 #include "optimizer/motion/initial_guess.hpp"
+#include "tools/task/damped_pace.hpp"
 #include "tools/task/stuck_feet.hpp"
 #include "tools/task/toml_reader.hpp"
 
@@ -136,6 +137,7 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
   if (feet == 4 && !flies && longest < kOverlap) task.duty = kOverlap;
   if ((1.0 - longest) * kUsualKnots < kSwingKnots - 1e-9)
     task.knots = static_cast<int>(std::ceil(kSwingKnots / (1.0 - longest) - 1e-9));
+  slow_down_for_damping(robot, std::max(longest, task.duty.value_or(0.0)), task);
   task.sag = servo_sag(robot);
   task.ahead = facing_of(robot).ahead;
   return task;
@@ -173,9 +175,9 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
       quoted(robot) + "\n\n[gait]\n" +
       fmt::format("name = {:24} # `legwright gaits` draws all that there are\n",
                   quoted(task.gait)) +
-      fmt::format(
-          "period = {:22} # s, one cycle: in proportion to the root of the robot's height\n",
-          two_digits(task.period));
+      fmt::format("period = {:22} # s, one cycle: {}\n", two_digits(task.period),
+                  task.slowed ? "joints that damp much lift feet slowly"
+                              : "in proportion to the root of the robot's height");
   if (task.knots)
     out += fmt::format(
         "knots = {:<23} # points per cycle: of the usual 24 too few are in a swing\n", *task.knots);
@@ -188,12 +190,12 @@ std::string starter_text(const StarterTask& task, const std::string& robot) {
     out += fmt::format("forward = {:21} # axis of the trunk's frame along which the robot looks\n",
                        quoted(facing_text(task.ahead)));
   out += fmt::format(
-      "velocity = [{}, 0.0]{:{}} # m/s forward, left: unhurried for a robot of this size\n",
-      two_digits(task.speed), "",
-      std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())));
+      "velocity = [{}, 0.0]{:{}} # m/s forward, left: {}\n", two_digits(task.speed), "",
+      std::max(0, 13 - static_cast<int>(two_digits(task.speed).size())),
+      task.slowed ? "as slow as damping leaves joints" : "unhurried for a robot of this size");
   if (task.swing_height)
-    out += fmt::format("\n[limits]\nswing_height = {:16} # m: flat feet stay low\n",
-                       two_digits(*task.swing_height));
+    out += fmt::format("\n[limits]\nswing_height = {:16} # m: {}\n", two_digits(*task.swing_height),
+                       task.slowed ? "joints that damp much lift feet low" : "flat feet stay low");
   return out + servos_text(task);
 }
 

@@ -21,6 +21,7 @@ struct StarterTask {
   std::optional<double> swing_height;  // where it is not the usual share of the leg [m]
   ServoSag sag;                        // of the file's servos; the task plays soft ones stiffer
   TwoFeet two_feet;                    // so it does with ankles of flat feet
+  bool slowed = false;                 // to what damping leaves of the motors
 };
 
 /// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home

@@ -40,6 +40,9 @@ std::string axes_text(const StudiedRobot& robot, bool writes) {
 
 /// What had the place of the trunk's free joint.
 std::string root_text(const StudiedRobot& robot, bool writes) {
+  if (!robot.freed.empty())
+    return fmt::format("floats   by {}{}\n", robot.freed,
+                       writes ? "; keyframes follow" : " (--write puts it there)");
   if (!robot.root) return "";
   const std::vector<std::string>& carriers = robot.root->carriers;
   const std::string chain =
@@ -90,6 +93,7 @@ std::string remarks_text(const StudiedRobot& robot, const ProposedParameters& fo
   std::string text;
   if (robot.of_urdf) text += "made     MJCF of this URDF:\n";
   for (const std::string& mended : robot.mended) text += "note     " + mended + "\n";
+  if (!robot.excluded.empty()) text += "note     " + excluded_words(robot.excluded) + "\n";
   for (const std::string& remark : found.remarks) text += "note     " + remark + "\n";
   return text;
 }
@@ -229,8 +233,7 @@ std::string next_step(const InitOptions& options, const StudiedRobot& robot,
   if (!task.empty())
     return fmt::format("next: legwright optimize {} -o {}\n", shell_word(task),
                        shell_word("runs/" + fs::path(task).stem().string()));
-  const bool adds = written.empty() && (!found.proposals.empty() || robot.pose || robot.axes ||
-                                        robot.root || !robot.trunk.empty());
+  const bool adds = written.empty() && (!found.proposals.empty() || robot.is_changed());
   if (lacks_task(options, found)) {
     const std::string gait = no_gait_text(found.model.morphology.foot_count());
     std::string text;
@@ -271,6 +274,8 @@ void refuse_task_for_the_file_as_it_is(const InitOptions& options, const Studied
     refuse((robot.axes->upright ? ", in which ahead and sideways would be askew to its legs: "
                                 : ", in which the robot would lie on its side: ") +
            robot.axes->why + "; add --write, which turns the trunk's frame");
+  if (!robot.freed.empty())
+    refuse(": it takes " + robot.freed + "; add --write, which puts it there, or -o NEW.xml");
   if (robot.root)
     refuse(
         fmt::format(": in the file six joints move the trunk '{}', and no free one; add "

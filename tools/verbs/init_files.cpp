@@ -9,6 +9,7 @@
 #include "mjcf/read/read_robot.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/splice.hpp"
+#include "mjcf/text/text_edits.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
@@ -113,7 +114,25 @@ StudiedRobot study(const RobotFiles& given, std::optional<StandingPose> pose,
           {},
           {},
           {},
+          {},
+          {},
           {}};
+}
+
+/// The same robot, its bodies that overlap in every pose told to pass, which is studied anew.
+StudiedRobot let_pass(StudiedRobot robot, const Forward& forward) {
+  const fs::path& file = robot.files.file();
+  std::vector<std::string> lines;
+  robot.excluded = lasting_overlaps(robot.found.model);
+  for (const BodyTouch& touch : robot.excluded)
+    lines.push_back(fmt::format("<exclude body1=\"{}\" body2=\"{}\"/>", escape_xml(touch.first),
+                                escape_xml(touch.second)));
+  if (lines.empty()) return robot;
+  robot.files =
+      robot.files.with_main(with_lines_in_section(robot.files.main_text(), file, "contact", lines));
+  robot.found = robot.files.at_their_lines(
+      [&] { return propose_parameters(robot.files.text(), file, forward); });
+  return robot;
 }
 
 /// The robot with the trunk's frame that is sought.
@@ -192,31 +211,39 @@ StudiedRobot study_robot(const fs::path& file, const FileReach& reach, const For
   std::string text = read_main_file(file);
   if (is_urdf(text)) return study_urdf(std::move(text), file, reach, forward);
   const RobotFiles read = RobotFiles::from_text(std::move(text), file, reach);
-  std::string trunk;
-  const RobotFiles given = with_named_trunk(read, &trunk);
+  std::string trunk, freed;
+  const RobotFiles given = with_named_trunk(with_freed_trunk(read, &freed), &trunk);
   const std::optional<SixJointRoot> root = find_six_joint_root(given.text(), file);
   const RobotFiles drawn = root ? with_free_root(given, *root) : given;
   const TurnedRobot turned = stood_up(drawn);
-  StudiedRobot robot = told_of_pose(
-      turned.found, turned.files, [&] { return study(turned.files, turned.found.pose, forward); });
+  StudiedRobot robot = told_of_pose(turned.found, turned.files, [&] {
+    return let_pass(study(turned.files, turned.found.pose, forward), forward);
+  });
   robot.text = read.main_text();
   robot.axes = turned.axes;
   if (!turned.left.empty()) robot.found.remarks.insert(robot.found.remarks.begin(), turned.left);
   robot.root = root;
   robot.trunk = trunk;
+  robot.freed = freed;
   return robot;
+}
+
+bool StudiedRobot::is_changed() const {
+  return pose || axes || root || !trunk.empty() || !freed.empty() || !excluded.empty();
 }
 
 std::vector<std::string> changes_besides(const StudiedRobot& robot) {
   std::vector<std::string> out = robot.mended;
   if (!robot.trunk.empty())
     out.push_back(fmt::format("the trunk, which had no name, is called '{}'", robot.trunk));
+  if (!robot.freed.empty()) out.push_back(robot.freed);
   if (robot.root)
     out.push_back(fmt::format("a free joint in the place of the six by which the trunk '{}' floats",
                               robot.root->body));
   if (robot.axes)
     out.push_back(fmt::format("{}: what stands in it goes into <frame quat=\"{}\">",
                               robot.axes->why, fmt::join(robot.axes->frame, " ")));
+  if (!robot.excluded.empty()) out.push_back(excluded_words(robot.excluded));
   return out;
 }
 
@@ -228,8 +255,7 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
                      "is a URDF, which has no place for design parameters; -o ROBOT.xml writes it "
                      "as MJCF with them");
   if (!output.empty() && !onto_itself) refuse_existing(output);
-  if (robot.found.proposals.empty() && !robot.pose && !robot.axes && !robot.root &&
-      robot.trunk.empty() && output.empty())
+  if (robot.found.proposals.empty() && !robot.is_changed() && output.empty())
     return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
   const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);

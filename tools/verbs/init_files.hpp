@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/propose/fixed_root.hpp"
 #include "mjcf/propose/floating_root.hpp"
+#include "mjcf/propose/home_touches.hpp"
 #include "mjcf/propose/proposals.hpp"
 #include "mjcf/propose/standing_pose.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
@@ -27,6 +29,11 @@ struct StudiedRobot {
   std::string trunk;                 // what it is called that had no name; else empty
   std::optional<TrunkAxes> axes;     // of the file, where its trunk's frame is turned
   std::optional<SixJointRoot> root;  // that had the place of the free joint in `files`
+  std::string freed;                 // what is told of a free joint for a trunk fixed to the world
+  std::vector<BodyTouch> excluded;   // that overlap in every pose, and now may
+
+  /// Whether `files` differ from the robot's but for declarations and names of bodies.
+  bool is_changed() const;
 };
 
 /// A URDF is studied as the MJCF that mjcf_of_urdf() makes of it.
@@ -34,8 +41,8 @@ struct StudiedRobot {
 StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& reach = {},
                          const Forward& forward = {});
 
-/// What writing changes besides declarations and poses, a sentence each: `mended`, `trunk`, `root`
-/// and `axes`.
+/// What writing changes besides declarations and poses, a sentence each: `mended`, `trunk`,
+/// `freed`, `root`, `axes` and `excluded`.
 std::vector<std::string> changes_besides(const StudiedRobot& robot);
 
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe

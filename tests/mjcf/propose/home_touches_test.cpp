@@ -89,6 +89,26 @@ TEST(OverlappingLinks, AreToldWithDepthAndCure) {
       << "the cure cures";
 }
 
+/// A shell beside the whole leg, which no turn of shoulder and knee takes out of it, and one that
+/// the knee leaves.
+TEST(LastingOverlaps, AreThoseThatNoTurnOfTheirHingesEnds) {
+  const auto lasting = [](const std::string& xml) {
+    return lasting_overlaps(parse_robot(xml, "dog.xml"));
+  };
+  EXPECT_TRUE(lasting(touching_dog("0.1 0.045 0.02")).empty());
+  EXPECT_FALSE(overlaps(touching_dog("0.1 0.066 0.08")).empty());
+  EXPECT_TRUE(lasting(touching_dog("0.1 0.066 0.08")).empty());
+  const std::vector<BodyTouch> found = lasting(touching_dog("0.2 0.066 0.13"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].first, "frame");
+  EXPECT_EQ(found[0].second, "FL_lower");
+  EXPECT_NEAR(found[0].depth, 0.01, 1e-4);
+  EXPECT_EQ(
+      excluded_words(found),
+      "shapes of one limb overlap wherever its joints turn: 'FL_lower' in 'frame' (10 mm); an "
+      "<exclude> in <contact> lets them pass");
+}
+
 /// Upper legs hang on the trunk, with which MuJoCo lets them pass; the floor is no link.
 TEST(OverlappingLinks, AreThoseThatMujocoCollides) {
   const std::string xml =

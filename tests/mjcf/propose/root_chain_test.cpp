@@ -116,8 +116,11 @@ TEST(RootChain, WhatStandsInACarrierOrNamesOneIsToldWithItsLine) {
   const std::string more =
       "  <contact>\n    <exclude body1=\"c3\" body2=\"left\"/>\n  </contact>\n";
   try {
-    freed(carried("<site name=\"imu\"/>", more));
-    FAIL() << "a site went with its body";
+    freed(
+        carried("<geom name=\"g\" size=\"0.001\" contype=\"0\" conaffinity=\"0\"/>"
+                "<frame><site name=\"imu\"/></frame>",
+                more));
+    FAIL() << "a site in a frame went with its body";
   } catch (const InputError& error) {
     const std::string said = error.what();
     EXPECT_NE(said.find("chain.xml:9: site 'imu': stands in a body that does nothing but carry"),
@@ -126,6 +129,53 @@ TEST(RootChain, WhatStandsInACarrierOrNamesOneIsToldWithItsLine) {
     EXPECT_NE(said.find("exclude: attribute body1: names 'c3'"), std::string::npos) << said;
     EXPECT_NE(said.find("name 'trunk'"), std::string::npos) << said;
   }
+}
+
+/// Cameras, lights and sites are seen where they were while the chain is at rest.
+TEST(RootChain, WhatShowsMovesIntoTheTrunk) {
+  const std::string given = carried(
+      "\n<camera name=\"track\" mode=\"trackcom\"\n  pos=\"0 -1 0.25\" euler=\"70 0 0\"/>"
+      "<site name=\"imu\" pos=\"0.1 0.2 0.3\" euler=\"0 20 0\"/><light pos=\"0 0 3\"/>");
+  const std::string made = freed(given);
+  ASSERT_FALSE(made.empty());
+  EXPECT_EQ(std::count(made.begin(), made.end(), '\n'),
+            std::count(given.begin(), given.end(), '\n'));
+  const ModelPointer was = compile_mjcf(given, kChainFile), is = compile_mjcf(made, kChainFile);
+  ASSERT_EQ(is->ncam, 1);
+  ASSERT_EQ(is->nsite, 1);
+  ASSERT_EQ(is->nlight, 1);
+  EXPECT_EQ(name_of(*is, mjOBJ_BODY, is->cam_bodyid[0]), "trunk");
+  const DataPointer before = kinematics_at(*was, nullptr, kChainFile),
+                    after = kinematics_at(*is, nullptr, kChainFile);
+  for (const DataPointer* data : {&before, &after}) {
+    const mjModel* const model = data == &before ? was.get() : is.get();
+    mj_comPos(model, data->get());
+    mj_camlight(model, data->get());
+  }
+  EXPECT_LT((vector_at(before->site_xpos, 0) - vector_at(after->site_xpos, 0)).norm(), 1e-9);
+  EXPECT_LT((matrix_at(before->site_xmat, 0) - matrix_at(after->site_xmat, 0)).norm(), 1e-9);
+  EXPECT_LT((vector_at(before->cam_xpos, 0) - vector_at(after->cam_xpos, 0)).norm(), 1e-9);
+  EXPECT_LT((matrix_at(before->cam_xmat, 0) - matrix_at(after->cam_xmat, 0)).norm(), 1e-9);
+  EXPECT_LT((vector_at(before->light_xpos, 0) - vector_at(after->light_xpos, 0)).norm(), 1e-9);
+}
+
+/// One body with all six is the root itself: a frame around the trunk may hold what it likes.
+TEST(RootChain, ABodyWithAllSixKeepsWhatStandsInIt) {
+  std::string joints;
+  for (const char* axis : {"1 0 0", "0 1 0", "0 0 1"})
+    joints +=
+        "<joint type=\"slide\" axis=\"" + std::string(axis) + "\"/><joint axis=\"" + axis + "\"/>";
+  const std::string given =
+      "<mujoco><worldbody><body name=\"frame\"><camera name=\"track\" pos=\"0 -1 0\"/>" + joints +
+      "<body name=\"trunk\"><geom type=\"box\" size=\"0.1 0.1 0.05\"/>"
+      "<body name=\"left\"><joint name=\"l\"/><geom size=\"0.02\"/></body></body></body>"
+      "</worldbody></mujoco>";
+  const std::string made = freed(given);
+  ASSERT_FALSE(made.empty());
+  const ModelPointer model = compile_mjcf(made, kChainFile);
+  EXPECT_EQ(name_of(*model, mjOBJ_BODY, 1), "frame");
+  EXPECT_EQ(model->cam_bodyid[0], 1);
+  EXPECT_EQ(model->nq, 8);
 }
 
 }  // namespace

@@ -175,23 +175,5 @@ TEST_F(Assets, PicturesAreLimitedTogether) {
                   "hfield 'h'"));
 }
 
-/// The folder of a run has files of these names.
-TEST_F(Assets, NamesOfRunsAreNotForParts) {
-  const std::string robot = test::read_file(test::puppy_file());
-  const auto message = [&](const std::string& path) -> std::string {
-    put(home_ / path, "<mujoco><custom/><worldbody/></mujoco>");
-    try {
-      parse_robot(test::with(robot, "</mujoco>", "<include file=\"" + path + "\"/></mujoco>"),
-                  home_ / "dog.xml");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_TRUE(has(message("scene.xml"), "named scene.xml; name this one otherwise"));
-  EXPECT_TRUE(has(message("robot.xml"), "named robot.xml"));
-  EXPECT_EQ(message("parts/scene.xml"), "accepted");
-}
-
 }  // namespace
 }  // namespace legwright

@@ -249,6 +249,27 @@ TEST_F(Gather, NamesAreToldApart) {
   for (const auto& [from, to] : found) EXPECT_TRUE(distinct.insert(to).second) << from;
 }
 
+/// The folder of a run has files of these names.
+TEST_F(Gather, FilesThatRunsNeedAreRenamedInCopies) {
+  const fs::path home = folder_.path() / "own", robot = home / "dog.xml";
+  put(home / "robot_scene.xml", "<mujoco><visual/></mujoco>");
+  put(home / "scene.xml",
+      "<mujoco><asset><texture type=\"2d\" file=\"frame.png\"/></asset><worldbody>"
+      "<geom name=\"floor\" type=\"plane\" size=\"1 1 1\"/></worldbody></mujoco>");
+  put(home / "parts/scene.xml", "<mujoco><custom/></mujoco>");
+  put(home / "frame.png", test::one_pixel_png());
+  put(robot, test::with(test::read_file(test::puppy_file()), "</mujoco>",
+                        "<include file=\"scene.xml\"/><include file=\"parts/scene.xml\"/>"
+                        "<include file=\"robot_scene.xml\"/></mujoco>"));
+  EXPECT_EQ(read_robot(robot).space.size(), read_robot(test::puppy_file()).space.size());
+  const fs::path copy = written(robot, "copy");
+  EXPECT_EQ(files_below(copy.parent_path()),
+            (std::vector<std::string>{"parts/scene.xml", "robot.xml", "robot_frame.png",
+                                      "robot_scene-2.xml", "robot_scene.xml"}));
+  expect_same(robot, copy);
+  EXPECT_EQ(RobotFiles::read(copy).gathered().main_text(), test::read_file(copy));
+}
+
 TEST_F(Gather, ErrorsNameTheFileElsewhere) {
   const fs::path shank = folder_.path() / "pkg/common/shank.xml";
   put(shank, test::with(test::read_file(shank), "<geom", "<wheel"));

@@ -52,6 +52,28 @@ TEST(StarterTask, FollowsTheRobotsHeight) {
               1e-9);  // both go with the root of the height
 }
 
+/// Motors of 2 N m that joints damp with 4 N m s/rad turn them at 0.5 rad/s.
+TEST(StarterTask, JointsThatDampMuchAreGivenTime) {
+  RobotModel model = robot("servo_dog");
+  const StarterTask usual = starter_task(model, std::nullopt);
+  EXPECT_FALSE(usual.slowed);
+  for (Link& link : model.morphology.links) link.joint.damping = 4.0;
+  const StarterTask slow = starter_task(model, std::nullopt);
+  EXPECT_TRUE(slow.slowed);
+  EXPECT_GT(slow.period, 3.0 * usual.period);
+  EXPECT_LT(slow.speed, 0.2 * usual.speed);
+  const auto told = [&](const StarterTask& task) {
+    const TaskFile file = parse_task_file(starter_text(task, "robot.xml"),
+                                          kSource / "tests/robots/servo_dog/task.toml");
+    int found = 0;
+    for (const std::string& warning : task_warnings(make_task(file, model), model))
+      found += warning.starts_with("damping leaves joints slower");
+    return found;
+  };
+  EXPECT_EQ(told(slow), 0);
+  EXPECT_EQ(told(usual), 1);
+}
+
 TEST(StarterTask, ATallTrunkDoesNotHurryShortLegs) {
   RobotModel model = robot("servo_dog");
   const double usual = starter_task(model, std::nullopt).speed;

@@ -233,6 +233,37 @@ TEST_F(InitOfUrdf, ATrunkThatFloatsBySixJointsGetsAFreeOne) {
   EXPECT_EQ(call({"check", task_.string()}).code, 0);
 }
 
+TEST_F(InitOfUrdf, ATrunkThatIsFixedToTheWorldGetsAFreeJoint) {
+  std::string given = read_file(fs::path(test::source_dir()) / "tests/robots/strider/robot.xml");
+  given = test::with(test::with(given, "<freejoint/>", ""), "0 0 0.115267 1 0 0 0 ", "");
+  write_file(robot_, given);
+  const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
+  EXPECT_EQ(none.code, 2) << none.out;
+  EXPECT_TRUE(contains(none.err, "which is drawn fixed to the world; add --write")) << none.err;
+  EXPECT_EQ(read_file(robot_), given);
+  const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(told.out.find("floats   by a free joint for the trunk 'body'"), 0U) << told.out;
+  EXPECT_EQ(call({"check", task_.string()}).code, 0);
+}
+
+/// A shell beside the whole leg of the servo dog, which would push it away whatever the gait.
+TEST_F(InitOfUrdf, ShapesOfALimbThatAlwaysOverlapMayPass) {
+  std::string given = read_file(fs::path(test::source_dir()) / "tests/robots/servo_dog/robot.xml");
+  given = test::with(given, "<geom class=\"bone\" fromto=\"0 0 0 0 0 -0.08\"/>",
+                     "<geom class=\"bone\" fromto=\"0 0 0 0 0 -0.08\" contype=\"1\"/>");
+  given = test::with(given, "size=\"0.1 0.045 0.02\"",
+                     "contype=\"1\" conaffinity=\"1\" size=\"0.2 0.066 0.13\"");
+  write_file(robot_, given);
+  const Outcome told = call({"init", robot_.string(), "--write"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "'FL_lower' in 'frame' (10 mm); an <exclude>")) << told.out;
+  EXPECT_TRUE(contains(read_file(robot_), "<exclude body1=\"frame\" body2=\"FL_lower\"/>"));
+  const std::string once = read_file(robot_);
+  ASSERT_EQ(call({"init", robot_.string(), "--write"}).code, 0);
+  EXPECT_EQ(read_file(robot_), once);
+}
+
 TEST_F(InitOfUrdf, ATrunkWithoutANameIsGivenOne) {
   const std::string given =
       test::with(read_file(fs::path(test::source_dir()) / "tests/robots/strider/robot.xml"),
