@@ -42,7 +42,7 @@ TEST(LinkSizes, PadsOnHornsOfUnknownScrewsAreAsWideAsTheirServo) {
   const Assembly dog = dog_to_print();
   EXPECT_EQ(link_radius(dog), 0.0112) << "0.4 of 28 mm";
   EXPECT_EQ(end_radius(dog, dog.limbs[0].joints[1].servo), 0.0112);
-  EXPECT_EQ(end_radius(dog, dog.limbs[0].foot), 0.009) << "within a ball of 12 mm";
+  EXPECT_DOUBLE_EQ(end_radius(dog, dog.limbs[0].foot), 0.009) << "within a ball of 12 mm";
   Assembly given = dog;
   given.link_radius = 0.0112;
   EXPECT_EQ(end_radius(given, given.limbs[0].foot), 0.0112);

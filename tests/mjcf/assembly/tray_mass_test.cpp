@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a trunk weighs as it is printed: of a bare box by its walls, more with what stands on it, and
-// a robot's file has no trunk that is lighter.
+// What a trunk weighs as it is printed: of a bare box by its walls, more with what stands on it,
+// and a robot's file has no trunk that is lighter.
 #include "mjcf/assembly/tray_mass.hpp"
 
 #include <gtest/gtest.h>

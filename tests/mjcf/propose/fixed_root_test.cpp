@@ -23,19 +23,19 @@ std::string fixed_strider() {
   return test::with(test::with(xml, "<freejoint/>", ""), "0 0 0.115267 1 0 0 0 ", "");
 }
 
-std::string freed(const std::string& text, std::string* told) {
+std::string with_root_freed(const std::string& text, std::string* told) {
   return with_freed_trunk(RobotFiles::from_text(text, kFixedFile), told).main_text();
 }
 
-std::string freed(const std::string& text) {
+std::string with_root_freed(const std::string& text) {
   std::string told;
-  return freed(text, &told);
+  return with_root_freed(text, &told);
 }
 
 TEST(FixedRoot, ATrunkThatIsFixedToTheWorldFloats) {
   const std::string given = fixed_strider();
   std::string told;
-  const std::string made = freed(given, &told);
+  const std::string made = with_root_freed(given, &told);
   EXPECT_EQ(told, "a free joint for the trunk 'body', which is drawn fixed to the world");
   EXPECT_EQ(std::count(made.begin(), made.end(), '\n'),
             std::count(given.begin(), given.end(), '\n'));
@@ -44,7 +44,7 @@ TEST(FixedRoot, ATrunkThatIsFixedToTheWorldFloats) {
   const RobotModel robot = parse_robot(made, kFixedFile);
   EXPECT_EQ(robot.root_body, "body");
   std::string again;
-  EXPECT_EQ(freed(made, &again), made);
+  EXPECT_EQ(with_root_freed(made, &again), made);
   EXPECT_EQ(again, "");
 }
 
@@ -52,7 +52,7 @@ TEST(FixedRoot, ATrunkThatIsFixedToTheWorldFloats) {
 TEST(FixedRoot, KeyframesFollow) {
   const std::string given = fixed_strider();
   const ModelPointer was = compile_mjcf(given, kFixedFile),
-                     is = compile_mjcf(freed(given), kFixedFile);
+                     is = compile_mjcf(with_root_freed(given), kFixedFile);
   ASSERT_EQ(was->nkey, is->nkey);
   ASSERT_GT(was->nkey, 0);
   const DataPointer before = kinematics_at(*was, was->key_qpos, kFixedFile),
@@ -64,22 +64,22 @@ TEST(FixedRoot, KeyframesFollow) {
 
 TEST(FixedRoot, OtherFilesStayAsTheyAre) {
   const std::string free = test::read_file(test::source_path("tests/robots/strider/robot.xml"));
-  EXPECT_EQ(freed(free), free);
+  EXPECT_EQ(with_root_freed(free), free);
   const std::string arm =
       "<mujoco><worldbody><body name=\"stand\"><geom size=\"0.1\"/><body name=\"arm\"><joint/>"
       "<geom size=\"0.1\"/></body></body></worldbody></mujoco>";
-  EXPECT_EQ(freed(arm), arm) << "one limb is an arm";
+  EXPECT_EQ(with_root_freed(arm), arm) << "one limb is an arm";
   const std::string two = test::with(arm, "</worldbody>",
                                      "<body name=\"door\"><joint/><geom size=\"0.1\"/></body>"
                                      "</worldbody>");
-  EXPECT_EQ(freed(two), two);
+  EXPECT_EQ(with_root_freed(two), two);
   const std::string moved = test::with(arm, "<geom size=\"0.1\"/><body name=\"arm\">",
                                        "<joint type=\"slide\"/><geom size=\"0.1\"/>"
                                        "<body name=\"leg\"><joint/><geom size=\"0.1\"/></body>"
                                        "<body name=\"arm\">");
-  EXPECT_EQ(freed(moved), moved) << "its root moves";
+  EXPECT_EQ(with_root_freed(moved), moved) << "its root moves";
   const std::string broken = test::with(fixed_strider(), "<geom", "<geum");
-  EXPECT_EQ(freed(broken), broken) << "its reader tells the fault";
+  EXPECT_EQ(with_root_freed(broken), broken) << "its reader tells the fault";
 }
 
 }  // namespace
