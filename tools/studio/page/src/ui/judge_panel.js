@@ -105,7 +105,7 @@ export class JudgePanel {
   /** Limits that are missed; folded are those that are kept, or of which a fall left nothing. */
   showLines(lines) {
     const kept = lines.filter(({ passed }) => passed);
-    const missed = lines.filter(({ passed, numbers }) => !passed && numbers.value !== null);
+    const missed = lines.filter(({ passed, numbers }) => !passed && numbers?.value !== null);
     const unmeasured = lines.filter((line) => !kept.includes(line) && !missed.includes(line));
     const [shown, rest] = missed.length ? [missed, [...kept, ...unmeasured]] : [unmeasured, kept];
     for (const [list, some] of [[this.lines, shown], [this.kept, rest]])
