@@ -219,32 +219,33 @@ std::string strider_on_six_joints() {
   return xml.replace(xml.find(free), free.size(), "0 0 0 0 0 0 ");
 }
 
-TEST_F(InitOfUrdf, ATrunkThatFloatsBySixJointsGetsAFreeOne) {
-  const std::string given = strider_on_six_joints();
-  write_file(robot_, given);
-  const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
-  EXPECT_EQ(none.code, 2) << none.out;
-  EXPECT_TRUE(contains(none.err, "add --write, which puts it there")) << none.err;
-  EXPECT_EQ(read_file(robot_), given);
-  const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
-  ASSERT_EQ(told.code, 0) << told.err;
-  EXPECT_EQ(told.out.find("floats   the trunk 'body', by six joints in the file"), 0U) << told.out;
+/// A file that is refused without --write, and stays; with it the tree is told, and can be checked.
+class InitOfAnotherRoot : public InitOfUrdf {
+ protected:
+  void expect_mended_on_request(const std::string& given, const char* refusal, const char* begin) {
+    write_file(robot_, given);
+    const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
+    EXPECT_EQ(none.code, 2) << none.out;
+    EXPECT_TRUE(contains(none.err, refusal)) << none.err;
+    EXPECT_EQ(read_file(robot_), given);
+    const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
+    ASSERT_EQ(told.code, 0) << told.err;
+    EXPECT_EQ(told.out.find(begin), 0U) << told.out;
+    EXPECT_EQ(call({"check", task_.string()}).code, 0);
+  }
+};
+
+TEST_F(InitOfAnotherRoot, ATrunkThatFloatsBySixJointsGetsAFreeOne) {
+  expect_mended_on_request(strider_on_six_joints(), "add --write, which puts it there",
+                           "floats   the trunk 'body', by six joints in the file");
   EXPECT_TRUE(contains(read_file(robot_), "<freejoint name=\"root\"/>"));
-  EXPECT_EQ(call({"check", task_.string()}).code, 0);
 }
 
-TEST_F(InitOfUrdf, ATrunkThatIsFixedToTheWorldGetsAFreeJoint) {
+TEST_F(InitOfAnotherRoot, ATrunkThatIsFixedToTheWorldGetsAFreeJoint) {
   std::string given = read_file(fs::path(test::source_dir()) / "tests/robots/strider/robot.xml");
   given = test::with(test::with(given, "<freejoint/>", ""), "0 0 0.115267 1 0 0 0 ", "");
-  write_file(robot_, given);
-  const Outcome none = call({"init", robot_.string(), "--task", task_.string()});
-  EXPECT_EQ(none.code, 2) << none.out;
-  EXPECT_TRUE(contains(none.err, "which is drawn fixed to the world; add --write")) << none.err;
-  EXPECT_EQ(read_file(robot_), given);
-  const Outcome told = call({"init", robot_.string(), "--write", "--task", task_.string()});
-  ASSERT_EQ(told.code, 0) << told.err;
-  EXPECT_EQ(told.out.find("floats   by a free joint for the trunk 'body'"), 0U) << told.out;
-  EXPECT_EQ(call({"check", task_.string()}).code, 0);
+  expect_mended_on_request(given, "which is drawn fixed to the world; add --write",
+                           "floats   by a free joint for the trunk 'body'");
 }
 
 /// A shell beside the whole leg of the servo dog, which would push it away whatever the gait.
