@@ -9,6 +9,7 @@ import trimesh
 from manifold3d import Error, Manifold
 
 from legwright.parts._checks import Check, at_least, at_most
+from legwright.parts._crossings import crossing_of
 from legwright.parts._mesh_files import stl_bytes
 from legwright.parts._reach import reaches
 from legwright.parts._robot import BuiltRobot
@@ -27,6 +28,21 @@ _BESIDE = 0.05  # [mm]: of a joint's axis from the horn's middle
 def _trimesh_of(part: Part) -> trimesh.Trimesh:
     """The part as its STL has it."""
     return trimesh.load(io.BytesIO(stl_bytes(part.mesh)), file_type='stl')
+
+
+def _through_itself(name: str, found: trimesh.Trimesh) -> Check:
+    """Of the STL: manifold3d and trimesh look at how its triangles hang together alone."""
+    at = crossing_of(found.vertices, found.faces)
+    place, cure = '', ''
+    if at is not None:
+        place = f'at {at[0]:.2f} {at[1]:.2f} {at[2]:.2f} mm of its STL it is within itself'
+        cure = (
+            'slicers fill or leave out such places as they like: cut the part anew, with another '
+            '--fit or a module moved by a tenth of a millimetre (offset in the assembly), and tell '
+            'us of the robot, as it is a fault of ours'
+        )
+    limit = 'all of space in it once or not at all'
+    return Check(name, 'no self-intersection', at is None, None, '', limit, place, cure)
 
 
 def _closed(part: Part) -> list[Check]:
@@ -63,6 +79,7 @@ def _closed(part: Part) -> list[Check]:
             if part.solid.pieces == 1
             else 'modules or holes cut it apart: a larger [link] radius or wall, or another roll',
         ),
+        _through_itself(part.name, found),
     ]
 
 
