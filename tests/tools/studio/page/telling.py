@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tests of what the page says, names and proposes; browser_test.py runs them."""
 
+import json
 import pathlib
 import re
 import shutil
@@ -205,6 +206,20 @@ class Telling(OwnStudio):
         self.assertFalse(studio.button('Export the one that passes…').is_visible())
         studio.console.clear()  # of the request that was cut off
         self.assertEqual(studio.console, [])
+
+    def test_a_document_that_cannot_be_told_is_said_to_be_so(self):
+        studio = self.open('puppy/sideways.toml')
+        body = json.dumps({'error': {'message': "MuJoCo refuses the body of 'front_left_shin'"}})
+        refused = {'status': 400, 'content_type': 'application/json', 'body': body}
+        studio.page.route('**/api/document', lambda route: route.fulfill(**refused))
+        studio.page.reload()
+        studio.page.get_by_text('What is open cannot be worked on: MuJoCo refuses').wait_for()
+        panes = studio.page.locator('.workspace > .panes')
+        self.assertEqual(panes.get_attribute('inert'), '')
+        studio.button('File').click()
+        studio.page.get_by_role('menuitem', name='Open another…').wait_for()
+        studio.console.clear()  # of the answer 400
+        studio.page.unroute('**/api/document')
 
     def test_a_value_at_its_bound_is_marked(self):
         studio = self.open('puppy/sideways.toml')

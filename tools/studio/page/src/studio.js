@@ -94,8 +94,8 @@ export class Studio {
   async loadDocument() {
     if (this.loading) return (this.again = true);
     this.loading = true;
+    const { session } = this;
     try {
-      const { session } = this;
       const document = await get("/api/document");
       if (session !== this.session) return void (this.again = true); // of what was open before
       this.known ??= document.document; // no state has told it yet
@@ -104,7 +104,8 @@ export class Studio {
       this.store.set("document", document);
       this.showMotion();
     } catch (error) {
-      if (error.status !== 400) this.fail(error);
+      error.message = `What is open cannot be worked on: ${error.message}. Open another (File).`;
+      if (session === this.session) this.fail(error);
     } finally {
       this.loading = false;
       if (this.again) {
