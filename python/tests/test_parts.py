@@ -39,7 +39,7 @@ def made(printed) -> parts.Parts:
 
 
 def test_a_notebook_shows_parts_in_a_line(made):
-    said = 'different parts, 9 to print, all checks pass; in'
+    said = 'different parts, 9 to print, all checks pass, 4 places not fastened; in'
     assert repr(made) == f'<Parts of printed_puppy: {len(made.parts)} {said} {made.folder}>'
 
 

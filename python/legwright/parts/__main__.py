@@ -53,11 +53,13 @@ def _summary(made: 'Parts') -> str:
 
     count = sum(part.count for part in made.parts)
     failed = sum(not check.passed for check in made.checks)
+    printed = f'{len(made.parts)} different parts, {count} to print'
+    loose = f'; {made.not_fastened} places not fastened' if made.not_fastened else ''
     verdict = 'PASS' if made.passed else f'FAIL: {failed} of {len(made.checks)} checks'
     return '\n'.join(
         [
             *check_lines(made.checks),
-            f'{verdict}  {made.robot.name}: {len(made.parts)} different parts, {count} to print',
+            f'{verdict}  {made.robot.name}: {printed}{loose}',
             f'written  {made.folder}',
         ]
     )

@@ -3,6 +3,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from legwright.parts._fastened import fastened_words, is_fastened
 from legwright.parts._holes import Fixing, Hole
 from legwright.parts._limb_views import limb_scene, number_of, trunk_scene
 from legwright.parts._limbs import Limb, Piece, limbs_of, trunk_steps
@@ -25,7 +26,8 @@ _WORDS = """
 Numbers are those of the rows of the bill of materials (`bom.md`), and of the pictures; printed
 parts have theirs engraved where there is room. Screws are told with the attachment that they are
 for, and with what they bridge until they are in the module: add the depth of its thread. "Not
-known" is a pattern that no module file tells: holes are to be drilled there.
+known" is a pattern that no module file tells: holes are to be drilled there. **Not fastened** is
+what is held at none of its attachments.
 """
 
 
@@ -68,7 +70,8 @@ class _Sheet:
         if not found:
             cut = slot_words(cut_by_slots(solid, module))
             return f'nothing: {cut}' if cut else 'nothing: the part does not reach it'
-        return '; '.join(self._of_fixing(solid, fixing) for fixing in found)
+        ways = '; '.join(self._of_fixing(solid, fixing) for fixing in found)
+        return ways if is_fastened(solid, module) else f'**not fastened**, {ways}'
 
     def held(self, trunk: Solid, module: Module) -> str:
         """What fixes a module to the trunk."""
@@ -147,6 +150,8 @@ def assembly_files(
         scenes[limb.name] = limb_scene(robot, limb, numbers)
         sections.append((limb.name, _limb_lines(sheet, limb)))
     text = f'# {robot.name}: assembly\n{_WORDS}'
+    if loose := fastened_words(parts):
+        text += f'\n{loose}'
     for name, lines in sections:
         picture = f'exploded_{name}.png'
         text += f'\n## {name}\n\n![{name}, moved apart]({picture})\n\n{sheet.table(lines)}'

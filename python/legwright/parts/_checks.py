@@ -21,7 +21,9 @@ class Check:
     """In words: "at least 1.2 mm"."""
     where: str = ''
     remedy: str = ''
-    """Where it fails."""
+    """Where it fails, or is to be looked after."""
+    is_note: bool = False
+    """Told beside verdicts: nothing failed, and there is something to do."""
 
     def as_json(self) -> dict[str, Any]:
         """As checks.json has it."""

@@ -17,6 +17,7 @@ from legwright.parts._beam import Load, check_beams, run_loads
 from legwright.parts._checks import Check
 from legwright.parts._clear import check_modules_clear
 from legwright.parts._exploded import exploded_scene
+from legwright.parts._fastened import check_fastened, loose_places
 from legwright.parts._feet import feet_of, foot_solid
 from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
@@ -55,11 +56,17 @@ class Parts:
         """Whether nothing failed."""
         return all(check.passed for check in self.checks)
 
+    @property
+    def not_fastened(self) -> int:
+        """Places where links end at modules, and neither screws nor pegs hold them."""
+        return sum(len(each.of) for each in loose_places(self.parts))
+
     def __repr__(self) -> str:
         failed = sum(not check.passed for check in self.checks)
         said = f'{failed} of {len(self.checks)} checks fail' if failed else 'all checks pass'
         parts = f'{len(self.parts)} different parts, {sum(part.count for part in self.parts)}'
-        return f'<Parts of {self.robot.name}: {parts} to print, {said}; in {self.folder}>'
+        loose = f', {self.not_fastened} places not fastened' if self.not_fastened else ''
+        return f'<Parts of {self.robot.name}: {parts} to print, {said}{loose}; in {self.folder}>'
 
 
 def robot_file(path: Path) -> Path:
@@ -100,6 +107,7 @@ def _all_checks(
     return [
         *check_solids(robot, parts, options.wall),
         *check_screws(parts, options.wall),
+        *check_fastened(parts),
         *check_bed(parts, options),
         *check_beams(robot, parts, use.loads, options),
         *check_modules_clear(robot),
@@ -215,6 +223,7 @@ def make(
         'version': 1,
         'robot': built.name,
         'passed': all(check.passed for check in checks),
+        'not_fastened': sum(len(each.of) for each in loose_places(parts)),
         'files': sorted({name.split('/')[0] for name in [*files, CHECKS, PICTURE, *pictures]}),
         'parts': [_part_json(part) for part in parts],
         'checks': [check.as_json() for check in checks],

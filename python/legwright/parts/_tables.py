@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from legwright.parts._checks import Check
+from legwright.parts._fastened import fastened_words
 from legwright.parts._feet import feet_of, socket_size
 from legwright.parts._holes import Fixing, Hole
 from legwright.parts._robot import BuiltRobot, Module
@@ -236,6 +237,11 @@ _HEAD = [
 ]
 
 
+def _fastened_words(parts: Sequence[Part]) -> str:
+    loose = fastened_words(parts)
+    return f'{loose}\n' if loose else ''
+
+
 def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row]) -> str:
     """The bill, and how far the printed masses are from those that the design was made with."""
     cells = [
@@ -260,6 +266,7 @@ def bill_markdown(robot: BuiltRobot, parts: Sequence[Part], rows: Sequence[Row])
         + f'\n{total:.1f} g, without screws, ties and cables; '
         f"the robot's file has {of_file:.1f} g.\n"
         f'{_price_words(rows)}\n\n'
+        f'{_fastened_words(parts)}'
         '## Masses of the printed parts\n\n'
         + markdown(
             [
@@ -304,12 +311,17 @@ def check_lines(checks: Sequence[Check]) -> list[str]:
         seen.setdefault(_TOGETHER.get(first, name), []).append(check)
     for title, group in seen.items():
         failed = [check for check in group if not check.passed]
-        lines.append(f'{"FAIL" if failed else "PASS"}  {title:26} {_judged(group)}')
-        for check in failed:
+        verdict = 'FAIL' if failed else 'NOTE' if any(each.is_note for each in group) else 'PASS'
+        lines.append(f'{verdict}  {title:26} {_judged(group)}')
+        told = failed or [check for check in group if check.is_note]
+        for check in told:
+            if check.is_note:
+                lines.append(f'      {check.where}')
+                continue
             where = f' ({check.where})' if check.where else ''
             of = f'{check.part}: ' if check.part else ''
             lines.append(f'      {of}{check.name}: {_figure(check)}, {check.limit}{where}')
-        for remedy in dict.fromkeys(check.remedy for check in failed):
+        for remedy in dict.fromkeys(check.remedy for check in told):
             lines.append(f'      {remedy}')
     return lines
 
@@ -321,7 +333,10 @@ def _figure(check: Check) -> str:
 
 
 def _judged(group: Sequence[Check]) -> str:
-    """The worst of those that were judged, and how many were not."""
+    """The worst of those that were judged, and how many were not; of notes their sum."""
+    if all(check.is_note for check in group):
+        total = sum(check.figure or 0.0 for check in group)
+        return f'{total:g} {group[0].unit}, {group[0].limit}'
     judged = [check for check in group if not check.name.endswith(_UNJUDGED)]
     left = len(group) - len(judged)
     if not left:
