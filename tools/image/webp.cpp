@@ -5,9 +5,12 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
-#include <string>
+#include <string_view>
+#include <utility>
 
 namespace legwright {
 namespace {
@@ -44,9 +47,62 @@ void check(const Animation& animation) {
   }
 }
 
+// A text is what XMP calls the source of a picture (Dublin Core's dc:source).
+constexpr std::string_view kBeforeOrigin =
+    R"(<x:xmpmeta xmlns:x="adobe:ns:meta/">)"
+    R"(<rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">)"
+    R"(<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:source>)";
+constexpr std::string_view kAfterOrigin = "</dc:source></rdf:Description></rdf:RDF></x:xmpmeta>";
+constexpr std::pair<char, std::string_view> kEscapes[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto* const found = std::find_if(std::begin(kEscapes), std::end(kEscapes),
+                                           [&](const auto& escape) { return escape.first == c; });
+    if (found == std::end(kEscapes))
+      out += c;
+    else
+      out += found->second;
+  }
+  return out;
+}
+
+std::string unescaped(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto* const found =
+        std::find_if(std::begin(kEscapes), std::end(kEscapes),
+                     [&](const auto& escape) { return text.starts_with(escape.second); });
+    out += found == std::end(kEscapes) ? text.front() : found->first;
+    text.remove_prefix(found == std::end(kEscapes) ? 1 : found->second.size());
+  }
+  return out;
+}
+
+using Mux = std::unique_ptr<WebPMux, decltype(&WebPMuxDelete)>;
+
+/// The file with a text in it.
+std::vector<std::uint8_t> with_origin(const WebPData& file, const std::string& origin) {
+  const std::string packet =
+      std::string(kBeforeOrigin) + escaped(origin) + std::string(kAfterOrigin);
+  const WebPData chunk{reinterpret_cast<const std::uint8_t*>(packet.data()), packet.size()};
+  const Mux mux(WebPMuxCreate(&file, 0), WebPMuxDelete);
+  WebPData out;
+  WebPDataInit(&out);
+  if (!mux || WebPMuxSetChunk(mux.get(), "XMP ", &chunk, 0) != WEBP_MUX_OK ||
+      WebPMuxAssemble(mux.get(), &out) != WEBP_MUX_OK)
+    throw std::runtime_error("WebP: its text cannot be written");
+  std::vector<std::uint8_t> bytes(out.bytes, out.bytes + out.size);
+  WebPDataClear(&out);
+  return bytes;
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> encode_webp(const Animation& animation, float quality) {
+std::vector<std::uint8_t> encode_webp(const Animation& animation, float quality,
+                                      const std::string& origin) {
   check(animation);
   WebPAnimEncoderOptions options;
   WebPConfig config;
@@ -73,15 +129,27 @@ std::vector<std::uint8_t> encode_webp(const Animation& animation, float quality)
   WebPData data;
   WebPDataInit(&data);
   if (!WebPAnimEncoderAssemble(encoder.get(), &data)) throw fail();
-  std::vector<std::uint8_t> bytes(data.bytes, data.bytes + data.size);
-  WebPDataClear(&data);
-  return bytes;
+  const std::unique_ptr<WebPData, decltype(&WebPDataClear)> owned(&data, WebPDataClear);
+  if (!origin.empty()) return with_origin(data, origin);
+  return {data.bytes, data.bytes + data.size};
 }
 
-std::vector<std::uint8_t> encode_webp_within(const Animation& animation, std::size_t most_bytes) {
+std::string webp_origin(const std::vector<std::uint8_t>& bytes) {
+  const WebPData file{bytes.data(), bytes.size()};
+  const Mux mux(WebPMuxCreate(&file, 0), WebPMuxDelete);
+  WebPData chunk;
+  if (!mux || WebPMuxGetChunk(mux.get(), "XMP ", &chunk) != WEBP_MUX_OK) return {};
+  const std::string_view packet(reinterpret_cast<const char*>(chunk.bytes), chunk.size);
+  if (!packet.starts_with(kBeforeOrigin) || !packet.ends_with(kAfterOrigin)) return {};
+  return unescaped(packet.substr(kBeforeOrigin.size(),
+                                 packet.size() - kBeforeOrigin.size() - kAfterOrigin.size()));
+}
+
+std::vector<std::uint8_t> encode_webp_within(const Animation& animation, std::size_t most_bytes,
+                                             const std::string& origin) {
   std::vector<std::uint8_t> bytes;
   for (const float quality : {80.0F, 65.0F, 50.0F, 30.0F, 10.0F}) {
-    bytes = encode_webp(animation, quality);
+    bytes = encode_webp(animation, quality, origin);
     if (bytes.size() <= most_bytes) break;
   }
   return bytes;

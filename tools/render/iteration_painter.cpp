@@ -5,6 +5,7 @@
 
 #include "tools/image/png.hpp"
 #include "tools/render/poses.hpp"
+#include "tools/run/judged_sums.hpp"
 
 namespace legwright {
 namespace {
@@ -23,7 +24,7 @@ IterationPainter::IterationPainter(const std::filesystem::path& first_scene) {
 
 void IterationPainter::paint(const std::filesystem::path& scene,
                              const std::filesystem::path& png) const {
-  write_png(png, draw(scene));
+  write_png(png, draw(scene), origin_text(sum_of_scene(scene.parent_path())));
 }
 
 Image IterationPainter::draw(const std::filesystem::path& scene) const {

@@ -13,7 +13,8 @@ constexpr int kPortraitWidth = 960, kPortraitHeight = 720;
 
 }  // namespace
 
-void draw_portrait(const std::filesystem::path& scene, const std::filesystem::path& png) {
+void draw_portrait(const std::filesystem::path& scene, const std::filesystem::path& png,
+                   const std::string& origin) {
   const GlContext context;
   const ModelPointer model = load_drawn_scene(scene);
   const int key = std::max(mj_name2id(model.get(), mjOBJ_KEY, "home"), 0);
@@ -24,7 +25,7 @@ void draw_portrait(const std::filesystem::path& scene, const std::filesystem::pa
   const View view = frame_robot(*model, {qpos}, kObliqueAzimuth, kObliqueElevation,
                                 static_cast<double>(kPortraitWidth) / kPortraitHeight);
   Renderer renderer(context, *model, kPortraitWidth, kPortraitHeight, RenderStyle::full);
-  write_png(png, renderer.render(qpos, view));
+  write_png(png, renderer.render(qpos, view), origin);
 }
 
 }  // namespace legwright

@@ -8,7 +8,9 @@
 #include <span>
 
 #include "tools/files/atomic_file.hpp"
+#include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
+#include "tools/image/picture_origin.hpp"
 #include "tools/image/png.hpp"
 #include "tools/image/webp.hpp"
 #include "tools/render/contact_timeline.hpp"
@@ -27,12 +29,28 @@ using Clock = std::chrono::steady_clock;
 constexpr int kSmaller = 3;            // small.webp is a third of the painter's width and height
 constexpr float kSmallQuality = 70.0;  // of WebP, 0 … 100
 
+/// What is drawn of physics is what the verdict, if there is one, judged.
+JudgedSums with_verdict(const fs::path& run, JudgedSums sums) {
+  const char* const verdict = "result/verdict.json";
+  if (fs::is_regular_file(run / verdict)) sums.of(verdict) = sha256_hex(read_file(run / verdict));
+  return sums;
+}
+
+/// Whether an iteration has its picture, not that of another design.
+bool is_drawn(const fs::path& iteration) {
+  const fs::path file = iteration / "frame.png";
+  return fs::exists(file) &&
+         standing_of_picture(picture_origin(file), iteration, {}) != Standing::of_another;
+}
+
 class RunDrawing {
  public:
   RunDrawing(const fs::path& run, const RunPictureOptions& options)
       : run_(run),
         options_(options),
         sums_(sums_of_run(run)),
+        planned_(origin_text(sums_)),
+        judged_(origin_text(with_verdict(run, sums_))),
         painter_(run / "iterations" / "0000" / "scene.xml") {}
 
   RunPictures draw() {
@@ -56,7 +74,7 @@ class RunDrawing {
     draw_planned(clips);
     draw_simulated(clips);
     finish("gait.webp", [&] {
-      return encode_webp_within(animate_gait(context(), clips.back()), kAnimationBytes);
+      return encode_webp_within(animate_gait(context(), clips.back()), kAnimationBytes, judged_);
     });
     return std::move(out_);
   }
@@ -91,7 +109,7 @@ class RunDrawing {
     }
     std::sort(folders.begin(), folders.end());
     for (const fs::path& folder : folders) {
-      if (!options_.all && fs::exists(folder / "frame.png")) continue;
+      if (!options_.all && is_drawn(folder)) continue;
       finish_at(folder / "frame.png",
                 [&](const fs::path& file) { painter_.paint(folder / "scene.xml", file); });
     }
@@ -100,17 +118,17 @@ class RunDrawing {
   void draw_small(const fs::path& scene) {
     finish("small.webp", [&] {
       const Image picture = downsample(painter_.draw(scene), kSmaller);
-      return encode_webp({{picture}, {1000}}, kSmallQuality);
+      return encode_webp({{picture}, {1000}}, kSmallQuality, planned_);
     });
   }
 
   void draw_phases(const std::vector<GaitClip>& clips) {
     for (const double phase : options_.phases) {
       finish(fmt::format("still_{}.png", phase),
-             [&] { return encode_png(still(context(), clips.back(), phase)); });
+             [&] { return encode_png(still(context(), clips.back(), phase), planned_); });
       if (clips.size() < 2) continue;  // nothing before
       finish(fmt::format("still_before_after_{}.png", phase),
-             [&] { return encode_png(still_side_by_side(context(), clips, phase)); });
+             [&] { return encode_png(still_side_by_side(context(), clips, phase), planned_); });
     }
   }
 
@@ -122,10 +140,11 @@ class RunDrawing {
     };
     finish("strip_initial.png", [&] {
       strip = planned_strip(context(), clips);
-      return encode_png(compose(std::span(strip.rows).first(1)));
+      return encode_png(compose(std::span(strip.rows).first(1)), planned_);
     });
-    finish("strip_result.png", [&] { return encode_png(compose(std::span(strip.rows).last(1))); });
-    finish("strip_before_after.png", [&] { return encode_png(compose(strip.rows)); });
+    finish("strip_result.png",
+           [&] { return encode_png(compose(std::span(strip.rows).last(1)), planned_); });
+    finish("strip_before_after.png", [&] { return encode_png(compose(strip.rows), planned_); });
   }
 
   void draw_simulated(const std::vector<GaitClip>& clips) {
@@ -135,8 +154,9 @@ class RunDrawing {
         out_.left_out.push_back(std::string(name) + ": run legwright validate first");
       return;
     }
-    finish("strip_physics.png", [&] { return encode_png(physics_strip(context(), clips)); });
-    finish("overlay.png", [&] { return encode_png(overlay_strip(context(), clips)); });
+    finish("strip_physics.png",
+           [&] { return encode_png(physics_strip(context(), clips), judged_); });
+    finish("overlay.png", [&] { return encode_png(overlay_strip(context(), clips), judged_); });
     if (!every([](const GaitClip& clip) { return !clip.feet.empty(); })) {
       out_.left_out.push_back(
           "contact_timeline.png: metrics.json does not tell of the feet; run legwright validate "
@@ -145,13 +165,14 @@ class RunDrawing {
     }
     finish("contact_timeline.png", [&] {
       Renderer letters(context(), *clips[0].model, 64, 48, RenderStyle::cheap);
-      return encode_png(contact_timeline(clips, letters));
+      return encode_png(contact_timeline(clips, letters), judged_);
     });
   }
 
   fs::path run_;
   RunPictureOptions options_;
-  JudgedSums sums_;  // of what is drawn
+  JudgedSums sums_;               // of what is drawn
+  std::string planned_, judged_;  // what pictures of the plan, and of physics carry of it
   IterationPainter painter_;
   RunPictures out_;
 };

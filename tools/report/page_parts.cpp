@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
+#include "tools/image/picture_origin.hpp"
 #include "tools/report/judged_words.hpp"
 #include "tools/report/page_template.hpp"
 
@@ -29,7 +32,11 @@ Json island_of(const RunData& data) {
   island["motion_only_F"] = or_null(run.motion_only_F);
   island["final_F"] = or_null(run.final_F);
   island["parameters"] = json_of(run.parameters);
-  island["of"] = json_of(data.sums);
+  JudgedSums of = data.sums;
+  if (data.verdict && data.verdict->of)
+    if (const std::string* const limits = data.verdict->of->find(kLimitsSum))
+      of.of(kLimitsSum) = *limits;
+  island["of"] = json_of(of);
   return island;
 }
 
@@ -86,9 +93,40 @@ std::string too_large(const fs::path& file) {
                      file.filename().string());
 }
 
-bool add_strip_if(Html& page, const fs::path& file, const std::string& title,
-                  const std::string& explanation, PictureBudget& budget) {
-  if (!fs::exists(file)) return false;
+namespace {
+
+/// Whether a picture is there that is not of another. One that cannot be read is not.
+bool shows(const fs::path& file, const fs::path& folder, const JudgedSums& here) {
+  if (!fs::is_regular_file(file)) return false;
+  try {
+    return standing_of_picture(picture_origin(file), folder, here) != Standing::of_another;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool shows_this(const RunData& data, const fs::path& picture) {
+  return shows(data.root / picture, data.root, data.sums);
+}
+
+bool shows_iteration(const RunData& data, int index) {
+  const fs::path folder = data.iteration(index);
+  return shows(folder / "frame.png", folder, {});
+}
+
+void add_of_another(Html& page, const RunData& data, const fs::path& picture,
+                    const std::string& what) {
+  if (fs::is_regular_file(data.root / picture) && !shows_this(data, picture))
+    page.note(fmt::format("{} {} is {}.", what, picture.generic_string(), kPictureOfAnother));
+}
+
+bool add_strip_if(Html& page, const RunData& data, const fs::path& picture,
+                  const std::string& title, const std::string& explanation, PictureBudget& budget) {
+  add_of_another(page, data, picture, title);
+  if (!shows_this(data, picture)) return false;
+  const fs::path file = data.root / picture;
   if (budget.take(file)) {
     add_strip(page, file, title, explanation);
   } else {

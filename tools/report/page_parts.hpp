@@ -26,9 +26,17 @@ void add_notes(Html& page, const RunData& data);
 void add_pass(Html& page, bool pass);
 /// That a picture is too large for the page.
 std::string too_large(const std::filesystem::path& file);
-/// Adds a strip where it is there and fits; says so where it does not fit. Whether it is there.
-bool add_strip_if(Html& page, const std::filesystem::path& file, const std::string& title,
-                  const std::string& explanation, PictureBudget& budget);
+/// Whether a picture below the run's folder is there, and not of another result.
+bool shows_this(const RunData& data, const std::filesystem::path& picture);
+/// Whether the picture of an iteration is there, and not of another design.
+bool shows_iteration(const RunData& data, int index);
+/// That a picture is of another result, where one is there. @param what it shows
+void add_of_another(Html& page, const RunData& data, const std::filesystem::path& picture,
+                    const std::string& what);
+/// Adds a strip where it is there, of this result, and fits; says so where it is not or does not
+/// fit. Whether it is there. @param picture below the run's folder
+bool add_strip_if(Html& page, const RunData& data, const std::filesystem::path& picture,
+                  const std::string& title, const std::string& explanation, PictureBudget& budget);
 /// "legwright VERB RUN", as one would type it.
 std::string command(const std::string& verb, const RunData& data);
 /// A paragraph that names what is missing and the command for it.

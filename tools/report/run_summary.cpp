@@ -167,6 +167,10 @@ std::string told_sums(const RunData& data) {
   for (const auto& [file, sum] : data.sums)
     if (file.ends_with("result/scene.xml"))
       out += fmt::format("{}`{}` (SHA-256 `{}`)", out.empty() ? "Of " : ", ", file, sum);
+  const std::string* const limits =
+      data.verdict && data.verdict->of ? data.verdict->of->find(kLimitsSum) : nullptr;
+  if (limits != nullptr)
+    out += fmt::format("{}limits (SHA-256 `{}`)", out.empty() ? "Of " : ", ", *limits);
   if (data.without_sums) out += out.empty() ? "Verdict without sums" : "; verdict without sums";
   return out.empty() ? out : out + ". ";
 }

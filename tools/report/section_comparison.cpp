@@ -286,7 +286,7 @@ void add_comparison(Html& page, const RunData& data, PictureBudget& budget) {
     const Comparison& compared = *result;
     page.raw(fill("<p><b>Is the plan sound? </b>{words}</p>\n",
                   {{"words", inverse_dynamics_words(compared.inverse_dynamics)}}));
-    add_strip_if(page, data.root / "result" / "overlay.png", "Simulation and plan in one picture.",
+    add_strip_if(page, data, "result/overlay.png", "Simulation and plan in one picture.",
                  "One late cycle; the plan is the ghost.", budget);
     add_forces(page, compared);
     add_timing(page, compared);

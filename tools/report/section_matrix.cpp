@@ -150,13 +150,13 @@ void add_task_pictures(Html& page, const JointData& data) {
   PictureBudget budget;
   bool missing = false;
   for (const JointTaskData& task : data.tasks) {
-    const fs::path result = data.whole.root / task.relative / "result";
     bool any = false;
-    for (const char* strip : {"strip_physics.png", "strip_before_after.png"}) {
-      any = any || fs::exists(result / strip);
-      if (!budget.take(result / strip)) continue;
-      const bool physics = std::string_view(strip) == "strip_physics.png";
-      add_strip(page, result / strip,
+    for (const char* strip : {"result/strip_physics.png", "result/strip_before_after.png"}) {
+      if (!task.run || !shows_this(*task.run, strip)) continue;
+      any = true;
+      if (!budget.take(task.run->root / strip)) continue;
+      const bool physics = std::string_view(strip) == "result/strip_physics.png";
+      add_strip(page, task.run->root / strip,
                 spaced(task.name) + (physics ? ": what physics did." : ": what was planned."),
                 physics ? "The thin line is the start, the coloured one the way of the trunk."
                         : "One cycle at the same camera and phases.");

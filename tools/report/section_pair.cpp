@@ -185,9 +185,10 @@ void add_pair_pictures(Html& page, const RunPair& pair) {
   unsigned widest = 1;
   std::vector<std::pair<fs::path, unsigned>> strips;
   for (const RunData* run : {&pair.a, &pair.b}) {
-    fs::path file = run->root / "result" / "strip_physics.png";
-    if (!fs::exists(file)) file = run->root / "result" / "strip_before_after.png";
-    strips.emplace_back(file, fs::exists(file) ? png_width(read_head(file, 24)) : 0);
+    fs::path picture = "result/strip_physics.png";
+    if (!shows_this(*run, picture)) picture = "result/strip_before_after.png";
+    const fs::path file = run->root / picture;
+    strips.emplace_back(file, shows_this(*run, picture) ? png_width(read_head(file, 24)) : 0);
     widest = std::max(widest, strips.back().second);
   }
   const char* name = "A";

@@ -44,17 +44,33 @@ constexpr std::uintmax_t kMostMoving = 1'500'000, kMostStill = 200'000;  // byte
 
 /// The gait in motion, after the last design.
 void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
-  const fs::path gait = data.root / "result" / "gait.webp";
-  if (!fs::exists(gait)) return;
+  const char* const picture = "result/gait.webp";
+  const fs::path gait = data.root / picture;
+  add_of_another(page, data, picture, "The gait in motion.");
+  if (!shows_this(data, picture)) return;
   const std::string head = read_head(gait, 12);
   if (head.size() < 12 || head.substr(0, 4) != "RIFF" || head.substr(8) != "WEBP") return;
   if (!budget.take(gait, kMostMoving)) {
     page.note("The gait in motion. " + too_large(gait));
     return;
   }
-  const int last = static_cast<int>(data.iterations.size()) - 1;
-  add_moving(page, gait, data.iteration(std::max(last, 0)) / "frame.png", "The gait, in real time.",
+  const int last = std::max(static_cast<int>(data.iterations.size()) - 1, 0);
+  const fs::path still =
+      shows_iteration(data, last) ? data.iteration(last) / "frame.png" : fs::path();
+  add_moving(page, gait, still, "The gait, in real time.",
              "As simulated where it passed, otherwise as planned.");
+}
+
+/// That pictures of iterations are of other designs.
+void add_other_iterations(Html& page, const RunData& data) {
+  int others = 0;
+  for (int i = 0; i < static_cast<int>(data.iterations.size()); ++i)
+    if (fs::is_regular_file(data.iteration(i) / "frame.png") && !shows_iteration(data, i)) ++others;
+  if (others > 0)
+    page.note(
+        fmt::format("Left out: {} frame.png of iterations, not of the designs that stand "
+                    "beside them: render again.",
+                    others));
 }
 
 /// What the plan itself falls short of, and what else than F the body minimised.
@@ -129,17 +145,17 @@ void add_verdicts(Html& page, const RunData& data) {
 
 void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {
   page.open("section").element("h2", motion_only(data) ? "Pictures" : "Before and after");
-  const fs::path result = data.root / "result", planned = result / "strip_before_after.png";
-  if (!add_strip_if(page, result / "strip_physics.png", "What physics did.",
+  const char* const planned = "result/strip_before_after.png";
+  if (!add_strip_if(page, data, "result/strip_physics.png", "What physics did.",
                     "The camera stands still; the thin line is the start, the coloured one the way "
                     "of the trunk.",
                     budget) &&
-      fs::exists(planned)) {
+      shows_this(data, planned)) {
     add_hint(page, "No pictures of the simulation yet.", !data.metrics ? "validate" : "render",
              data);
   }
   add_gait(page, data, budget);
-  if (!add_strip_if(page, planned, "What was planned.",
+  if (!add_strip_if(page, data, planned, "What was planned.",
                     "One cycle at the same camera and phases; dots are the feet seen from above, "
                     "filled where they bear.",
                     budget))
@@ -150,9 +166,9 @@ void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {
 void add_gallery(Html& page, const RunData& data) {
   std::vector<int> drawn;
   for (std::size_t i = 0; i < data.iterations.size(); ++i) {
-    if (fs::exists(data.iteration(static_cast<int>(i)) / "frame.png"))
-      drawn.push_back(static_cast<int>(i));
+    if (shows_iteration(data, static_cast<int>(i))) drawn.push_back(static_cast<int>(i));
   }
+  add_other_iterations(page, data);
   if (drawn.empty()) return;
   constexpr std::size_t kMost = 12;  // keeps the page small: some 30 kB each
   const std::vector<int> shown = spread(data, drawn, kMost);

@@ -80,6 +80,8 @@ std::string judgement(const ExportFacts& facts) {
   for (const auto& [file, sum] : facts.scenes)
     if (!facts.verdicts.empty())
       out += fmt::format("- Judged: `{}` of the run, SHA-256 `{}`\n", escaped(file), sum);
+  for (const std::string& sum : facts.limits)
+    out += fmt::format("- Judged by limits with the SHA-256 `{}`\n", escaped(sum));
   if (facts.verdicts.empty() && !facts.chosen_verdict.empty())
     out += "- " + escaped(facts.chosen_verdict) +
            "\n- So the search played it, at half, default and double gains; `legwright validate`, "

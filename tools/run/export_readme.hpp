@@ -20,6 +20,7 @@ struct ExportFacts {
   std::string model;                     // as the file calls itself
   std::string robot_file, robot_sha256;  // where it comes from
   std::string task_file, task_sha256;
+  std::vector<std::string> limits;                          // by which they were judged: SHA-256
   std::vector<std::pair<std::string, std::string>> scenes;  // of the run, which are judged: SHA-256
   std::string version, engine;                              // of Legwright and of MuJoCo
   std::string command;                                      // that made the run

@@ -97,6 +97,12 @@ JudgedSums sums_of_result(const fs::path& run) {
   return sums.take();
 }
 
+JudgedSums sum_of_scene(const fs::path& folder) {
+  SumsBelow sums(folder);
+  sums.add_file("scene.xml");
+  return sums.take();
+}
+
 JudgedSums sums_of_joint_run(const fs::path& root, const RunRecord& run) {
   SumsBelow sums(root);
   const std::vector<TaskFolder> tasks = task_folders(run);
@@ -115,6 +121,24 @@ JudgedSums sums_of(const fs::path& root, const RunRecord& run) {
 Standing standing_of(const std::optional<JudgedSums>& of, const JudgedSums& here) {
   if (!of) return Standing::without_sums;
   return files_alone(*of) == files_alone(here) ? Standing::of_this : Standing::of_another;
+}
+
+std::string origin_text(const JudgedSums& of) { return to_line(json_of(of)); }
+
+Standing standing_of_picture(const std::string& origin, const fs::path& folder,
+                             const JudgedSums& here) {
+  if (origin.empty()) return Standing::without_sums;
+  const auto unchanged = [&](const auto& named) {
+    if (!named.value().is_string()) return false;
+    const std::string sum = named.value().template get<std::string>();
+    if (const std::string* const known = here.find(named.key())) return *known == sum;
+    return names_bytes({{named.key(), sum}}, named.key(), folder / named.key());
+  };
+  const Json of = Json::parse(origin, nullptr, false);
+  if (!of.is_object() || of.empty()) return Standing::of_another;
+  for (const auto& named : of.items())
+    if (!unchanged(named)) return Standing::of_another;
+  return Standing::of_this;
 }
 
 bool names_bytes(const JudgedSums& with, const std::string& name, const fs::path& file) {

@@ -22,6 +22,8 @@ inline constexpr const char* kLimitsSum = "limits";
 JudgedSums sums_of_run(const std::filesystem::path& run);
 /// The same without the initial body.
 JudgedSums sums_of_result(const std::filesystem::path& run);
+/// Of the scene in a design's folder alone, by its name there.
+JudgedSums sum_of_scene(const std::filesystem::path& folder);
 /// Of a joint run: those of its tasks and of each task's body alone in all of them.
 JudgedSums sums_of_joint_run(const std::filesystem::path& root, const RunRecord& run);
 /// Of either.
@@ -41,6 +43,15 @@ inline constexpr const char* kOfAnother = "not of this result: judge again";
 /// What is said beside one without sums.
 inline constexpr const char* kWithoutSums =
     "without sums: an older Legwright judged, and whether it was this result is not known";
+
+/// What a picture carries (image/picture_origin) of what it shows: JSON as key "of" of judgements.
+std::string origin_text(const JudgedSums& of);
+/// How a picture stands to what is beside it. @param origin what it carries @param here sums of
+/// what stands in the folder, by their paths there; of files that these leave out bytes are read
+Standing standing_of_picture(const std::string& origin, const std::filesystem::path& folder,
+                             const JudgedSums& here);
+/// What is said in the place of a picture of another.
+inline constexpr const char* kPictureOfAnother = "not of this result: render again";
 
 /// Whether `with` has the sum of a file's bytes under a name.
 bool names_bytes(const JudgedSums& with, const std::string& name,

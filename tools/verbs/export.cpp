@@ -37,10 +37,11 @@ struct ExportOptions : ReadingOptions {
 };
 
 /// Draws it, or says why not: a machine without OpenGL exports all the same.
-std::string draw(const fs::path& scene, const std::string& png, std::string& left_out) {
+std::string draw(const fs::path& scene, const std::string& png, const JudgedSums& of,
+                 std::string& left_out) {
   try {
     pin_rasteriser();
-    draw_portrait(scene, scene.parent_path() / png);
+    draw_portrait(scene, scene.parent_path() / png, origin_text(of));
     return png;
   } catch (const GlError& error) {
     left_out = error.what();
@@ -137,7 +138,7 @@ int export_run(const ExportOptions& options) {
   std::string left_out;
   std::string picture = name + ".png";
   while (fs::exists(folder.path() / picture)) picture.insert(0, "picture_of_");  // a texture's
-  if (!options.no_picture) facts.picture = draw(scene, picture, left_out);
+  if (!options.no_picture) facts.picture = draw(scene, picture, from.sums, left_out);
   facts.licences = copy_licences(ResultFolder::open(options.run).inputs(), folder.path());
   write_file(folder.path() / "README.md", export_readme(facts));
   const std::vector<std::string> files = files_in(folder.path());

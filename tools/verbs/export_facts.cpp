@@ -67,18 +67,24 @@ std::string line_of(const Json& verdict, const fs::path& run) {
   return standing == Standing::of_this ? words : words + " (" + kWithoutSums + ")";
 }
 
-/// One line for each task that was validated.
-std::vector<std::string> verdicts_of(const fs::path& root) {
-  std::vector<std::string> lines;
+/// What was judged, for each task that was validated: a line, and the sum of the limits.
+void add_verdicts(const fs::path& root, ExportFacts& facts) {
   std::vector<fs::path> folders{root};
   for (const TaskFolder& task : task_folders_of(root)) folders.push_back(root / task.relative);
   for (const fs::path& folder : folders) {
     const fs::path file = folder / "result" / "verdict.json";
     if (!fs::exists(file)) continue;
-    const std::string line = line_of(read_json(file), folder);
-    if (!line.empty()) lines.push_back(line);
+    const Json verdict = read_json(file);
+    const std::string line = line_of(verdict, folder);
+    if (line.empty()) continue;
+    facts.verdicts.push_back(line);
+    const std::optional<JudgedSums> of = of_verdict(verdict);
+    const bool of_this = standing_of(of, sums_of_run(folder)) == Standing::of_this;
+    const std::string* const limits = of_this ? of->find(kLimitsSum) : nullptr;
+    if (limits != nullptr &&
+        std::find(facts.limits.begin(), facts.limits.end(), *limits) == facts.limits.end())
+      facts.limits.push_back(*limits);
   }
-  return lines;
 }
 
 /// What MuJoCo said of the result as the search chose it; empty where it was not asked, or not
@@ -216,7 +222,7 @@ ExportFacts facts_of(const ExportedRun& from, const fs::path& root, const std::s
   }
   facts.mass_before = from.before.morphology.total_mass();
   facts.mass_after = from.after.morphology.total_mass();
-  facts.verdicts = verdicts_of(root);
+  add_verdicts(root, facts);
   facts.chosen_verdict = line_of_choice(from.run);
   if (from.run.task) facts.servo_kp = from.run.task->servo_kp;
   return facts;

@@ -12,6 +12,7 @@
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/image/picture_origin.hpp"
 #include "tools/image/png.hpp"
 #include "tools/image/webp.hpp"
 #include "tools/render/gait_clip.hpp"
@@ -102,6 +103,34 @@ TEST(RunPictures, AreCompleteAndTheSameEachTime) {
   EXPECT_EQ(again.made.size(), 8U);
   ASSERT_EQ(again.left_out.size(), 1U);
   EXPECT_NE(again.left_out[0].find("contact_timeline.png"), std::string::npos);
+}
+
+TEST(RunPictures, CarryTheSumsOfWhatTheyShow) {
+  LEGWRIGHT_NEEDS_GL();
+  const fs::path run = toy_run("pictures_with_sums", true);
+  draw_run(run, {.phases = {0.5}});
+  const JudgedSums here = sums_of_run(run);
+  const auto standing = [&](const std::string& name) {
+    const bool frame = name.ends_with("frame.png");
+    const fs::path folder = frame ? (run / name).parent_path() : run;
+    return standing_of_picture(picture_origin(run / name), folder, frame ? JudgedSums() : here);
+  };
+  const auto made = pictures(run);
+  ASSERT_EQ(made.size(), 11U);
+  for (const auto& [name, bytes] : made) EXPECT_EQ(standing(name), Standing::of_this) << name;
+  // Another verdict: what shows physics is of another. Another design: its frame is drawn anew.
+  auto verdict = read_record_file<VerdictRecord>(run / "result/verdict.json");
+  verdict.result.line += " once more";
+  write_json(run / "result/verdict.json", json_of(verdict));
+  write_file(run / "iterations/0001/scene.xml", std::string(kToyScene) + "<!-- other -->");
+  for (const auto& [name, bytes] : made) {
+    const bool other = name == "iterations/0001/frame.png" || name == "result/strip_physics.png" ||
+                       name == "result/overlay.png" || name == "result/contact_timeline.png" ||
+                       name == "result/gait.webp";
+    EXPECT_EQ(standing(name), other ? Standing::of_another : Standing::of_this) << name;
+  }
+  EXPECT_EQ(draw_run(run).made.front().file, run / "iterations/0001/frame.png");
+  EXPECT_EQ(standing("iterations/0001/frame.png"), Standing::of_this);
 }
 
 TEST(RunPictures, StillsAtPhasesAlone) {

@@ -92,6 +92,30 @@ TEST_F(ReportTest, ShowsTheGaitInMotionAndAStillForThoseWhoWantNone) {
   EXPECT_FALSE(has(this->page(), "data:image/webp"));
 }
 
+TEST_F(ReportTest, LeavesOutPicturesOfAnotherResult) {
+  const auto draw = [&](const JudgedSums& result, const JudgedSums& design) {
+    const Image picture(64, 48, {200, 120, 40});
+    write_png(run_ / "result/strip_physics.png", picture, origin_text(result));
+    write_png(run_ / "iterations/0000/frame.png", picture, origin_text(design));
+  };
+  for (const char* scene : {"result/scene.xml", "iterations/0000/scene.xml"})
+    write_file(run_ / scene, "<mujoco/>");
+  const JudgedSums here = sums_of_run(run_), design = sum_of_scene(run_ / "iterations/0000");
+  draw(here, design);
+  std::string page = this->page();
+  EXPECT_FALSE(has(page, "render again"));
+  EXPECT_TRUE(has(page, "iteration 0\""));
+  JudgedSums other = here, other_design = design;
+  other.front().second[0] = other.front().second[0] == '0' ? '1' : '0';
+  other_design.of("scene.xml") = "0";
+  draw(other, other_design);
+  page = this->page();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "result/strip_physics.png is not of this result: render again"));
+  EXPECT_TRUE(has(page, "Left out: 1 frame.png of iterations"));
+  EXPECT_FALSE(has(page, "data:image/png"));
+}
+
 TEST_F(ReportTest, StaysBelowFiveMegabytesWhateverThePictures) {
   const std::string head("RIFF\0\0\0\0WEBP", 12);
   write_file(run_ / "result" / "gait.webp", head + std::string(1'400'000, 'x'));
