@@ -19,7 +19,7 @@ pytest.importorskip('manifold3d')
 trimesh = pytest.importorskip('trimesh')
 
 from legwright import parts  # noqa: E402
-from legwright.parts._as_printed import as_printed, check_as_printed  # noqa: E402
+from legwright.parts._as_printed import as_printed, check_as_printed, unpacked  # noqa: E402
 from legwright.parts._folder import check_place  # noqa: E402
 
 if TYPE_CHECKING:
@@ -118,11 +118,28 @@ def test_it_walks_and_is_an_ordinary_run(made, tmp_path):
     check_place(copy)  # what was judged in it is no foreign file
 
 
+def test_parts_bear_what_is_played_and_the_plan_where_nothing_can_be(run, made, tmp_path):
+    beams = {check.part: check for check in made.checks if check.name == 'bears the gait'}
+    assert len(beams) == 4 and all(check.passed for check in beams.values())
+    assert not [check for check in made.checks if 'the plan' in check.name]
+    half = tmp_path / 'half'
+    shutil.copytree(run, half)
+    (half / 'run.json').unlink()
+    again = parts.make(half, tmp_path / 'half_parts')
+    assert [c.name for c in again.checks].count('bears the gait') == 4, 'the run itself is played'
+    (half / 'result/scene.xml').unlink()
+    planned = parts.make(half, tmp_path / 'planned')
+    told = {check.part: check for check in planned.checks if check.name == 'bears the plan'}
+    assert len(told) == 4 and not [c for c in planned.checks if c.name == 'bears the gait']
+    assert [c.name for c in planned.checks].count('peg bears the plan') == 2
+    thigh = min(beams.values(), key=lambda check: check.figure).part
+    assert beams[thigh].figure < 0.8 * told[thigh].figure, 'touch-downs'
+
+
 def test_a_run_that_fails_as_planned_says_so(run, made, tmp_path):
     ice = changed(run, tmp_path / 'ice', 'friction="0.8 ', 'friction="0.01 ')
-    files = {f'{p.name}.stl': (made.folder / f'{p.name}.stl').read_bytes() for p in made.parts}
-    files |= as_printed(made.robot, made.parts, ice, made.folder)
-    check = of_walks(check_as_printed(files, made.parts, ice))
+    with unpacked(as_printed(made.robot, made.parts, ice, made.folder)) as printed:
+        check = of_walks(check_as_printed(printed, made.parts, ice))
     assert not check.passed
     assert check.remedy.startswith('as planned it fails, too')
     assert check.where.startswith('FAIL')

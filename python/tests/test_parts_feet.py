@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 import trimesh
 from legwright import InputError, parts
-from legwright.parts._beam import Load, pegs_bear
+from legwright.parts._beam import pegs_bear
 from legwright.parts._feet import foot_solid, peg_of, peg_solid, socket_size
 from legwright.parts._holes import Fixing
+from legwright.parts._loads import GaitLoads, Loads
 from legwright.parts._robot import Shape
 from legwright.parts._words import Place
 
@@ -23,7 +24,8 @@ def fixing(kind: str = 'sphere', of: str = 'foot', screw: str | None = None) -> 
     """A ball of 12 mm radius about the origin, with an attachment on its top."""
     size = np.full(3, 0.012) if kind == 'box' else np.array([0.012])
     shape = Shape(kind, size, np.zeros(3), np.eye(3))
-    module = SimpleNamespace(shapes=(shape,), words=SimpleNamespace(kind=of, name='ball'))
+    words = SimpleNamespace(kind=of, name='ball')
+    module = SimpleNamespace(shapes=(shape,), words=words, of='FL')
     place = Place('top', False, 0.012 * UP, UP, screw, np.zeros((0, 3)))
     return Fixing(module, place, 0.012 * UP, UP, place.holes)
 
@@ -48,15 +50,19 @@ def test_other_feet_and_those_with_screws_get_no_peg(how):
 def test_a_peg_that_is_too_weak_for_the_ground_s_force_fails():
     solid = SimpleNamespace(pegs=(peg_of(fixing(), 0.15),), link=SimpleNamespace(body=1))
     part = SimpleNamespace(name='shank', solid=solid, solids=(solid,))
-    load = Load('t = 0.10 s', np.array([4.0, 0, 10]), np.array([0, 0, -0.012]), 0.0)
+    force = np.array([4.0, 0, 10])
+    rows = np.vstack([0.1 * force, force])
+    loads = Loads('', np.array([0.0, 0.1]), rows, np.cross([0, 0, -0.012], rows))
+    foot = GaitLoads({}, {'FL': [loads]}, False)
     bending = 4 * 24.15 / (math.pi * 3.6**3 / 4)
     normal, shear = 10 / (math.pi * 3.6**2), 1.5 * 4 / (math.pi * 3.6**2)
     stress = math.sqrt((bending + normal) ** 2 + 3 * shear**2)
-    (check,) = pegs_bear(part, {1: [load]}, parts.PartOptions(strength=3 * stress))
-    assert check.passed and check.figure == pytest.approx(3, rel=2e-3)
-    (check,) = pegs_bear(part, {1: [load]}, parts.PartOptions(strength=1.5 * stress))
-    assert not check.passed and 't = 0.10 s' in check.where and 'larger foot' in check.remedy
-    (check,) = pegs_bear(part, {1: []}, parts.PartOptions())
+    (check,) = pegs_bear(part, foot, parts.PartOptions(strength=3 * stress))
+    assert check.passed and check.name == 'peg bears the plan' and check.figure == pytest.approx(3, rel=2e-3)
+    (check,) = pegs_bear(part, foot, parts.PartOptions(strength=1.5 * stress))
+    assert not check.passed and 't = 0.100 s' in check.where and 'larger foot' in check.remedy
+    (check,) = pegs_bear(part, GaitLoads(), parts.PartOptions())
+    assert check.name == 'peg bears the gait'
     assert not check.passed, 'what has no load was not looked at'
 
 

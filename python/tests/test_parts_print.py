@@ -186,7 +186,7 @@ def test_a_gait_in_which_parts_meet_fails_and_says_where(run, tmp_path):
     good = parts.make(run, tmp_path / 'good')
     assert good.passed, [check for check in good.checks if not check.passed]
     assert any(check.name == 'gap in the gait as played' for check in good.checks)
-    beams = [check for check in good.checks if check.name == 'bears the gait']
+    beams = [check for check in good.checks if check.name == 'bears the plan']
     assert len(beams) == 4 and all(2.0 < check.figure < 50.0 for check in beams)
     gait(run, -math.pi)
     bad = parts.make(run, tmp_path / 'bad')
@@ -243,8 +243,8 @@ def test_loads_that_are_not_there_do_not_pass(run, tmp_path):
     table.write_text(good.replace('4.0', '0.0'))
     made = parts.make(run, tmp_path / 'out')
     failed = [check for check in made.checks if not check.passed]
-    assert [check.name for check in failed].count('bears the gait') == 4
-    assert [check.name for check in failed].count('peg bears the gait') == 2
+    assert [check.name for check in failed].count('bears the plan') == 4
+    assert [check.name for check in failed].count('peg bears the plan') == 2
     assert len(failed) == 6
 
 
@@ -270,7 +270,7 @@ def test_of_a_run_for_several_tasks_all_gaits_count(run, tmp_path):
     bad = parts.make(run, tmp_path / 'bad')
     (failed,) = [check for check in bad.checks if check.name == 'gap in the gaits as played']
     assert not failed.passed and 'trot, t = 0.20 s' in failed.where
-    beams = [check for check in bad.checks if check.name == 'bears the gait']
+    beams = [check for check in bad.checks if check.name == 'bears the plan']
     assert beams and all(', t = ' in check.where for check in beams)
     shutil.rmtree(run / 'tasks')
     with pytest.raises(InputError, match='has no gait'):

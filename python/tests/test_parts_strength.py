@@ -4,14 +4,12 @@
 import math
 from types import SimpleNamespace
 
-import mujoco
 import numpy as np
 import pytest
 from legwright import parts
-from legwright._motion import Motion
-from legwright.parts._beam import check_beams, gait_loads
+from legwright.parts._beam import check_beams
 from legwright.parts._holes import Fixing, drilled, driver_way, holes_of
-from legwright.parts._robot import read_built
+from legwright.parts._loads import GaitLoads
 from legwright.parts._sections import sections_of
 from legwright.parts._tables import check_lines
 from legwright.parts._words import Place
@@ -36,20 +34,24 @@ def test_a_flat_bar_is_stressed_as_a_beam_is():
     # Of a rectangle 11 by 3 (Roark): T / (0.277 a b^2); the ellipse is 8 % off.
     torsion = section.stress(none, np.array([0, 0, 1000.0])) / math.sqrt(3)
     assert torsion == pytest.approx(1000 / (0.277 * 11 * 3**2), rel=0.1)
+    rng = np.random.default_rng(2)
+    forces, moments = rng.normal(size=(2, 5, 3))
+    one_by_one = [section.stress(f, m) for f, m in zip(forces, moments)]
+    assert section.stress(forces, moments) == pytest.approx(one_by_one), 'of many at once'
 
 
 def test_links_that_reach_nothing_are_told_as_not_judged():
     solid = SimpleNamespace(fixings=(), link=SimpleNamespace(servo=object()))
     tray = SimpleNamespace(fixings=(), link=SimpleNamespace(servo=None))
     pair = [SimpleNamespace(name=n, solid=s) for n, s in (('coxa', solid), ('trunk', tray))]
-    found = check_beams(SimpleNamespace(), pair, {1: []}, parts.PartOptions())
+    found = check_beams(SimpleNamespace(), pair, GaitLoads(), parts.PartOptions())
     names = ['bears the gait, not judged', 'bears its servo, not judged']
     assert [(c.part, c.name, c.figure) for c in found] == [('coxa', n, None) for n in names]
     judged = parts.Check('shank', 'bears the gait', True, 3.0, 'times', 'at least 2')
     (line, _) = check_lines([judged, *found])
     assert line.endswith('1 of 1, 3 times, at least 2; 1 of 2 not judged: they do not reach their '
                          'modules')
-    assert len(check_beams(SimpleNamespace(), pair, {}, parts.PartOptions())) == 1
+    assert len(check_beams(SimpleNamespace(), pair, None, parts.PartOptions())) == 1
 
 
 def test_a_hole_is_not_in_the_section():
@@ -133,38 +135,3 @@ def test_a_beam_that_is_too_weak_fails(dog, tmp_path):
     weak = parts.make(dog, tmp_path / 'out', parts.PartOptions(strength=2.0))
     failed = {check.name for check in weak.checks if not check.passed}
     assert failed == {'bears its servo'}
-
-
-def test_loads_are_the_ground_s_force_in_the_axes_of_each_link(dog):
-    robot = read_built(dog)
-    model = robot.model
-    names = tuple(model.joint(j).name for j in range(1, model.njnt))
-    joints = np.zeros((2, len(names)))
-    joints[:, names.index('FL_hip')] = 0.5
-    root = np.zeros((2, 6))
-    root[:, 5] = math.pi / 2  # the trunk looks to the left
-    feet = ('FL', 'FR', 'HL', 'HR')
-    forces = np.zeros((2, 4, 3))
-    forces[:, 0] = [3.0, 0.0, 10.0]
-    data = mujoco.MjData(model)
-    data.qpos[3:7] = [math.cos(math.pi / 4), 0, 0, math.sin(math.pi / 4)]
-    data.qpos[model.joint('FL_hip').qposadr[0]] = 0.5
-    mujoco.mj_kinematics(model, data)
-    hip = data.body('FL_thigh').xpos
-    contact = data.geom('FL').xpos - [0, 0, 0.012]
-    axis = data.body('FL_thigh').xmat.reshape(3, 3) @ [0, 1, 0]
-    torques = np.zeros((2, len(names)))
-    torques[:, names.index('FL_hip')] = -axis @ np.cross(contact - hip, forces[0, 0])
-    nothing = np.zeros((2, 4, 3))
-    motion = Motion(
-        np.array([0.0, 0.4]), joints, torques, root, root[:, :3], nothing, forces,
-        np.ones((2, 4), bool), names, feet,
-    )  # fmt: skip
-    found = gait_loads(robot, motion)
-    loads = {robot.model.body(body).name: each for body, each in found.items()}
-    (thigh,) = loads['FL_thigh']
-    assert np.linalg.norm(thigh.force) == pytest.approx(math.hypot(3, 10))
-    turn = data.body('FL_thigh').xmat.reshape(3, 3)
-    assert np.allclose(turn @ thigh.force, [3, 0, 10])
-    assert thigh.rest == pytest.approx(0, abs=1e-12), 'the torque is all of the force'
-    assert np.allclose(loads['FR_thigh'][0].force, 0)

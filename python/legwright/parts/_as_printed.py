@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """A run with the masses of its printed parts in the place of the hulls', and how it walks so."""
 
+import contextlib
 import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from legwright._files import MOST_OF_RUN, read_bytes
 from legwright._validate import GAINS
 from legwright.parts._checks import Check, at_most
 from legwright.parts._gait import results_of
+from legwright.parts._mesh_files import stl_bytes
 from legwright.parts._robot import BuiltRobot, matrix
 from legwright.parts._shapes import MM
 from legwright.parts._solids import Part, Solid
@@ -151,14 +153,14 @@ def as_printed(
     return files
 
 
-def _check_masses(files: dict[str, bytes], parts: Sequence[Part], run: Path) -> list[Check]:
+def _check_masses(parts: Sequence[Part], run: Path) -> list[Check]:
     """The masses in the file that is written against the volumes of the files that are printed."""
     model = mujoco.MjModel.from_xml_path(str(run / 'result/robot.xml'))
     checks = []
     for part in parts:
         if part.solid.link.servo is None:
             continue
-        stl = files[f'{part.name}.stl']
+        stl = stl_bytes(part.mesh)
         volume = trimesh.load(trimesh.util.wrap_as_stream(stl), file_type='stl').volume
         told = sum(model.body(hull.words.name).mass[0] for hull in part.solid.link.hulls)
         off = 100 * abs(told / (part.solid.density * volume / MM**3) - 1)
@@ -190,19 +192,24 @@ def _check_walk(printed: Path, planned: Path, task: str) -> Check:
     return Check('', name, passed, None, '', 'that MuJoCo passes it', verdict['line'], cure)
 
 
-def check_as_printed(files: dict[str, bytes], parts: Sequence[Part], run: Path) -> list[Check]:
-    """Plays the run in `files`, if there is one, with the masses as printed.
+@contextlib.contextmanager
+def unpacked(files: Mapping[str, bytes]) -> Iterator[Path | None]:
+    """A folder for a while with the run as printed; None where there is none."""
+    if not files:
+        yield None
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder)
+        for name, data in files.items():
+            (path / name).parent.mkdir(parents=True, exist_ok=True)
+            (path / name).write_bytes(data)
+        yield path / FOLDER
+
+
+def check_as_printed(printed: Path, parts: Sequence[Part], run: Path) -> list[Check]:
+    """Plays the run with the masses as printed, in its folder.
 
     The same limits and gains as of `legwright validate --quick`.
     """
-    own = {name: data for name, data in files.items() if name.startswith(f'{FOLDER}/')}
-    if not own:
-        return []
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder)
-        for name, data in own.items():
-            (path / name).parent.mkdir(parents=True, exist_ok=True)
-            (path / name).write_bytes(data)
-        printed = path / FOLDER
-        walks = [_check_walk(printed, run, task) for task in results_of(printed)]
-        return [*_check_masses(files, parts, printed), *walks]
+    walks = [_check_walk(printed, run, task) for task in results_of(printed)]
+    return [*_check_masses(parts, printed), *walks]

@@ -11,9 +11,9 @@ from typing import Any
 from legwright._arguments import path_of
 from legwright._errors import InputError
 from legwright._options import kind_of
-from legwright.parts._as_printed import as_printed, check_as_printed
+from legwright.parts._as_printed import as_printed, check_as_printed, unpacked
 from legwright.parts._assembly_sheet import assembly_files
-from legwright.parts._beam import Load, check_beams, run_loads
+from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
 from legwright.parts._clear import check_modules_clear
 from legwright.parts._exploded import exploded_scene
@@ -22,6 +22,7 @@ from legwright.parts._feet import feet_of, foot_solid
 from legwright.parts._fit import Distances, check_poses, check_ranges, things_of
 from legwright.parts._folder import CHECKS, SCHEMA, check_place, write_folder
 from legwright.parts._gait import gait_poses
+from legwright.parts._loads import GaitLoads, played_loads, run_plan_loads
 from legwright.parts._mesh_files import mesh_of, stl_bytes
 from legwright.parts._numbers import numbered_parts
 from legwright.parts._options import PartOptions
@@ -88,14 +89,15 @@ class _Use:
 
     what: str
     poses: list[tuple[str, Array]]
-    loads: dict[int, list[Load]]
+    loads: GaitLoads | None
+    """Of the plans; None where there is no gait."""
 
 
 def _use_of(robot: BuiltRobot, path: Path) -> _Use:
     """Read before anything is cut, as a damaged file of a run is to be told at once."""
     if not path.is_dir():
-        return _Use('at home', [('home', home_of(robot))], {})
-    return _Use(*gait_poses(robot, path), run_loads(robot, path))
+        return _Use('at home', [('home', home_of(robot))], None)
+    return _Use(*gait_poses(robot, path), run_plan_loads(robot, path))
 
 
 def _all_checks(
@@ -202,7 +204,12 @@ def make(
         len(module_counts(built)) + 1,
         options.wall,
     )
-    checks = _all_checks(built, parts, options, use)
+    run_files = as_printed(built, parts, path, place)
+    with unpacked(run_files) as printed:
+        if use.loads:
+            use = replace(use, loads=played_loads(built, printed or path) or use.loads)
+        checks = _all_checks(built, parts, options, use)
+        checks += check_as_printed(printed, parts, path) if printed else []
     rows = bill(built, parts, options.press)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
     if options.step:
@@ -216,8 +223,7 @@ def make(
     sheet, pictures = assembly_files(built, parts, rows)
     files |= sheet
     files['bom.md'] = bill_markdown(built, parts, rows).encode()
-    files |= as_printed(built, parts, path, place)
-    checks += check_as_printed(files, parts, path)
+    files |= run_files
     document = {
         'schema': SCHEMA,
         'version': 1,

@@ -26,22 +26,23 @@ class Section:
     moments: Array
     """2 x 2: integrals of u u, u v and v v about the centre [mm4]."""
     corners: Array
-    """N x 2, from the centre."""
+    """N x 2, from the centre: of the section's hull, as stress is largest at one of them."""
 
-    def stress(self, force: Array, moment: Array) -> float:
-        """Largest equivalent stress (von Mises) [MPa].
+    def stress(self, forces: Array, moments: Array) -> Array:
+        """Largest equivalent stress (von Mises) [MPa], of one load or of each of N.
 
-        Of a force through the centre [N] and a moment about it [N mm], as of a beam: normal force
-        and bending about both axes; torsion as of an ellipse with the area's moments; one and a
-        half times the mean shear.
+        Of forces through the centre [N] and moments about it [N mm], 3 or N x 3, as of a beam:
+        normal force and bending about both axes; torsion as of an ellipse with the area's moments;
+        one and a half times the mean shear.
         """
-        local_force, local_moment = self.frame.T @ force, self.frame.T @ moment
-        slope = np.linalg.solve(self.moments, [-local_moment[1], local_moment[0]])
-        normal = np.abs(local_force[2] / self.area + self.corners @ slope).max()
+        own_forces, own_moments = forces @ self.frame, moments @ self.frame
+        bent = np.stack([-own_moments[..., 1], own_moments[..., 0]], axis=-1)
+        slopes = bent @ np.linalg.inv(self.moments)
+        normal = np.abs(own_forces[..., 2, None] / self.area + slopes @ self.corners.T).max(axis=-1)
         half = 2 * np.sqrt(np.linalg.eigvalsh(self.moments) / self.area)
-        torsion = 2 * abs(local_moment[2]) / (math.pi * half[1] * half[0] ** 2)
-        shear = 1.5 * math.hypot(local_force[0], local_force[1]) / self.area
-        return float(math.sqrt(normal**2 + 3 * (torsion + shear) ** 2))
+        torsion = 2 * np.abs(own_moments[..., 2]) / (math.pi * half[1] * half[0] ** 2)
+        shear = 1.5 * np.hypot(own_forces[..., 0], own_forces[..., 1]) / self.area
+        return np.sqrt(normal**2 + 3 * (torsion + shear) ** 2)
 
 
 def _polygon_moments(points: Array) -> tuple[float, Array, Array]:
@@ -73,7 +74,8 @@ def sections_of(shape: Manifold, start: Array, end: Array, shares: Array) -> lis
     level = placed(shape, frame.T, -frame.T @ start)
     out = []
     for share in shares:
-        polygons = [np.asarray(each) for each in level.slice(float(share * length)).to_polygons()]
+        cut = level.slice(float(share * length))
+        polygons = [np.asarray(each) for each in cut.to_polygons()]
         if not polygons:
             continue
         sums = [_polygon_moments(each) for each in polygons]
@@ -83,6 +85,6 @@ def sections_of(shape: Manifold, start: Array, end: Array, shares: Array) -> lis
         centre = sum(each[1] for each in sums) / area
         moments = sum(each[2] for each in sums) - area * np.outer(centre, centre)
         place = start + frame @ np.array([centre[0], centre[1], share * length])
-        corners = np.vstack(polygons) - centre
+        corners = np.vstack([np.asarray(each) for each in cut.hull().to_polygons()]) - centre
         out.append(Section(float(share), place, frame, area, moments, corners))
     return out
