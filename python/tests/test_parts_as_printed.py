@@ -136,6 +136,22 @@ def test_parts_bear_what_is_played_and_the_plan_where_nothing_can_be(run, made, 
     assert beams[thigh].figure < 0.8 * told[thigh].figure, 'touch-downs'
 
 
+def test_the_report_of_the_run_as_printed_has_the_safety_factors(made, tmp_path):
+    record = json.loads((made.folder / 'as_printed/result/strength.json').read_bytes())
+    loads = [row['load'] for row in record['parts']]
+    assert loads.count('bears the gait') == loads.count('bears its servo') == 4
+    told = {(check.part, check.name): check for check in made.checks}
+    for row in record['parts']:
+        assert row['factor'] == told[row['part'], row['load']].figure
+        assert row['least_factor'] == (1.0 if row['load'] == 'bears its servo' else 2.0)
+    copy = tmp_path / 'parts'
+    shutil.copytree(made.folder, copy)
+    words = [PROGRAM, 'report', copy / 'as_printed']
+    subprocess.run(words, check=True, capture_output=True)
+    page = (copy / 'as_printed/report.html').read_text(encoding='utf-8')
+    assert 'Printed parts' in page and 'All 10 are strong enough' in page
+
+
 def test_a_run_that_fails_as_planned_says_so(run, made, tmp_path):
     ice = changed(run, tmp_path / 'ice', 'friction="0.8 ', 'friction="0.01 ')
     with unpacked(as_printed(made.robot, made.parts, ice, made.folder)) as printed:

@@ -60,6 +60,7 @@ std::string joint_report_page(const JointData& data) {
     add_bodies(page, data);
     add_task_attributions(page, data);
     add_front(page, data);
+    add_strength(page, data.whole);
     add_starts(page, data);
     add_choice(page, data.whole.run);
     add_other_starts(page, data.whole.run);
@@ -94,6 +95,9 @@ std::string joint_report_summary(const JointData& data) {
   }
   if (const std::string words = stepped_words(data); !words.empty())
     out += fmt::format("\n{}\n", escape_markdown(words));
+  if (data.whole.strength)
+    out += fmt::format("\n**Printed parts.** {}\n",
+                       escape_markdown(strength_words(*data.whole.strength)));
   return out + "\n" + told_sums(data.whole) +
          "Pictures, charts and measurements: report.html in the folder above.\n";
 }

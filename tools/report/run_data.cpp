@@ -57,6 +57,8 @@ RunData read_run(const fs::path& root) {
   });
   if_present(result / "front.json", data.notes,
              [&](const fs::path& file) { data.front = read_record_file<FrontRecord>(file); });
+  if_present(result / "strength.json", data.notes,
+             [&](const fs::path& file) { data.strength = read_record_file<StrengthRecord>(file); });
   if_present(data.iteration(0) / "motion.csv", data.notes,
              [&](const fs::path& file) { data.initial_plan = read_motion_csv(file); });
   if_present(result / "motion.csv", data.notes,

@@ -13,6 +13,7 @@
 #include "tools/run/iteration_record.hpp"
 #include "tools/run/matrix_record.hpp"
 #include "tools/run/run_record.hpp"
+#include "tools/run/strength_record.hpp"
 
 namespace legwright {
 
@@ -26,6 +27,7 @@ struct RunData : JudgedData {
   std::optional<CertificateRecord> certificate;  // of the result; none where it was not asked for
   std::optional<MatrixRecord> matrix;            // of a joint run; none before validate
   std::optional<FrontRecord> front;              // the same; none where it was not asked for
+  std::optional<StrengthRecord> strength;        // of printed parts; of a run as printed alone
   std::optional<Trajectory> initial_plan, result_plan;
   std::vector<std::string> notes;  // files that could not be used, and why
 

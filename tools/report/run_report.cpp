@@ -29,6 +29,7 @@ std::string report_page(const RunData& data) {
     add_plan(page, data);
     add_robustness(page, data);
     add_numerics(page, data);
+    add_strength(page, data);
     add_choice(page, data.run);
     add_gap(page, data);
     add_other_starts(page, data.run);

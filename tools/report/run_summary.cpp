@@ -95,7 +95,9 @@ std::string margins(const RunData& data) {
   if (!numerics.empty()) out += "**Other numerics.** " + cell(numerics) + "\n";
   if (data.second_engine)
     out += "**Second engine.** " + cell(engine_words(*data.second_engine), kLongestLine) + "\n";
-  if (!numerics.empty() || data.second_engine) out += "\n";
+  if (data.strength)
+    out += "**Printed parts.** " + cell(strength_words(*data.strength), kLongestLine) + "\n";
+  if (!numerics.empty() || data.second_engine || data.strength) out += "\n";
   return out;
 }
 

@@ -32,6 +32,7 @@ void add_comparison(Html& page, const RunData& data, PictureBudget& budget);
 void add_robustness(Html& page, const RunData& data);
 void add_numerics(Html& page, const RunData& data);
 void add_plan(Html& page, const RunData& data);
+void add_strength(Html& page, const RunData& data);  // nothing where no parts were made
 void add_origin(Html& page, const RunData& data);
 
 // The parts of the page of a joint run, likewise.
@@ -47,6 +48,8 @@ inline constexpr double kSmallTerm = 0.01;  // of F: smaller terms are folded aw
 
 /// "3 of 20 changes buy 96 % of the fall of F …: a, b and c."; empty where it is not known.
 std::string fewest_words(const RunRecord& run);
+/// Of all parts whether they are strong enough, and which is nearest to its limit.
+std::string strength_words(const StrengthRecord& strength);
 /// Which design was handed back instead of the optimum of F, and why; empty where that passes.
 std::string choice_words(const RunRecord& run);
 /// "5 other starts end within 6 % of the least F; …"; empty where there were none.

@@ -23,7 +23,7 @@ const std::set<std::string, std::less<>> kNames{
     "session.jsonl",   "certificate.json",     "verdict.json", "comparison.json", "numerics.json",
     "robustness.json", "matrix.json",          "front.json",   "summary.md",      "overlay.png",
     "gait.webp",       "contact_timeline.png", "small.webp",   "begin.json",      "states.bin",
-    kTightenedTask};
+    "strength.json",   kTightenedTask};
 constexpr std::array kHeads{"strip_", "still_", "playback_", "validation_", "compare_"};
 
 bool is_left_over(const std::string& name) {

@@ -13,6 +13,7 @@
 #include "tools/run/picture_diff_record.hpp"
 #include "tools/run/robustness_record.hpp"
 #include "tools/run/run_record.hpp"
+#include "tools/run/strength_record.hpp"
 #include "tools/run/verdict_record.hpp"
 
 namespace legwright {
@@ -32,6 +33,7 @@ std::vector<std::pair<std::string, Json>> record_schemas() {
           {"comparison", schema_of<ComparisonRecord>()},
           {"numerics", schema_of<NumericsRecord>()},
           {"robustness", schema_of<RobustnessRecord>()},
+          {"strength", schema_of<StrengthRecord>()},
           {"engine_validation", schema_of<EngineRecord>()},
           {"checkpoint", schema_of<CheckpointBegin>()},
           {"picture_diff", schema_of<PictureDiffRecord>()}};

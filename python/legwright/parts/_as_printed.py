@@ -31,7 +31,7 @@ FOLDER = 'as_printed'
 """Of the run, in the folder of parts."""
 _LEFT_OUT = re.compile(
     r'candidates/.*|checkpoint.*|(.*/)?\..*|.*/playback_\w+\.csv|.*/validation_\w+\.json'
-    r'|.*/(verdict|comparison|numerics|robustness|matrix)\.json'
+    r'|.*/(verdict|comparison|numerics|robustness|matrix|strength)\.json'
     r'|((tasks/[^/]+/)?(result|iterations/\d+)/)?[^/]+\.(png|webp|html|md)'
 )
 """What is of the masses that were planned: verdicts and pictures."""

@@ -11,7 +11,7 @@ from typing import Any
 from legwright._arguments import path_of
 from legwright._errors import InputError
 from legwright._options import kind_of
-from legwright.parts._as_printed import as_printed, check_as_printed, unpacked
+from legwright.parts._as_printed import FOLDER, as_printed, check_as_printed, unpacked
 from legwright.parts._assembly_sheet import assembly_files
 from legwright.parts._beam import check_beams
 from legwright.parts._checks import Check
@@ -34,6 +34,7 @@ from legwright.parts._shapes import MM
 from legwright.parts._solid_checks import check_solids
 from legwright.parts._solids import Part, parts_of
 from legwright.parts._step_file import step_bytes
+from legwright.parts._strength_file import FILE, strength_bytes
 from legwright.parts._tables import bill, bill_csv, bill_markdown, module_counts
 from legwright.parts._words import Array
 
@@ -209,7 +210,9 @@ def make(
         if use.loads:
             use = replace(use, loads=played_loads(built, printed or path) or use.loads)
         checks = _all_checks(built, parts, options, use)
-        checks += check_as_printed(printed, parts, path) if printed else []
+        if printed:
+            checks += check_as_printed(printed, parts, path)
+            run_files[f'{FOLDER}/{FILE}'] = strength_bytes(checks, options)
     rows = bill(built, parts, options.press)
     files = {f'{part.name}.stl': stl_bytes(part.mesh) for part in parts}
     if options.step:

@@ -13,6 +13,7 @@
 #include "tools/run/events.hpp"
 #include "tools/run/picture_diff_record.hpp"
 #include "tools/run/record.hpp"
+#include "tools/run/strength_record.hpp"
 
 namespace legwright {
 namespace {
@@ -63,6 +64,13 @@ TEST(Schemas, TakeWhatADiffOfPicturesPrints) {
   diff.shown = "d.png";
   EXPECT_EQ(json_of(diff)["shown"], "d.png");
   expect_taken_alone(json_of(diff));
+}
+
+TEST(Schemas, TakeWhatPartsTellOfTheirStrength) {
+  StrengthRecord strength{25.0, {{"FL_thigh", "bears the gait", 2.66, 2.0, "t = 0.19 s", true}}};
+  expect_taken_alone(json_of(strength));
+  strength.parts[0].factor = std::nullopt;
+  expect_taken_alone(json_of(strength));
 }
 
 TEST(Schemas, TakeWhatARunHoldsAndNothingElse) {
