@@ -21,6 +21,21 @@ namespace fs = std::filesystem;
 fs::path library_folder() { return test::kSource / "modules"; }
 constexpr double kWater = 1000.0, kIron = 7900.0;  // [kg/m3]
 
+/// Whether an attachment is on the surface of a module's outline.
+bool lies_on(const Attachment& at, const Module& module) {
+  constexpr double kNear = 1e-6;  // [m]
+  const auto inside = [&](const Eigen::Vector3d& place) {
+    return std::any_of(
+        module.outline.begin(), module.outline.end(), [&](const OutlineShape& shape) {
+          const Eigen::Vector3d own = shape.pose().inverse() * place, half = shape.half();
+          const bool in_box = (own.cwiseAbs() - half).maxCoeff() <= 0.0;
+          const bool is_round = shape.type == OutlineShape::Type::cylinder;
+          return in_box && (!is_round || own.head<2>().norm() <= half.x());
+        });
+  };
+  return inside(at.position - kNear * at.normal) && !inside(at.position + kNear * at.normal);
+}
+
 /// The library is read whole, so each of its figures has a source or an assumption.
 TEST(InstalledModules, AreReadAndServosHaveSources) {
   const ModuleLibrary library({library_folder()});
@@ -35,9 +50,27 @@ TEST(InstalledModules, AreReadAndServosHaveSources) {
       EXPECT_TRUE(source.address.starts_with("https://")) << file.module.name;
   }
   EXPECT_GE(servos, 12u);
-  for (const ModuleKind kind :
-       {ModuleKind::foot, ModuleKind::trunk, ModuleKind::battery, ModuleKind::computer})
-    EXPECT_GE(kinds[static_cast<std::size_t>(kind)], 1u);
+  for (std::size_t kind = 0; kind < kModuleKinds.size(); ++kind)
+    EXPECT_GE(kinds[kind], 1u) << kModuleKinds[kind];
+  EXPECT_GE(kinds[static_cast<std::size_t>(ModuleKind::trunk)], 2u);
+}
+
+/// A link ends at what faces the horn before: round joints have attachments on their mantle, too.
+TEST(InstalledModules, ServosCanBeHeldFromAllSidesButTheHorns) {
+  const ModuleLibrary library({library_folder()});
+  for (const ModuleFile& file : library.modules()) {
+    const Module& module = file.module;
+    if (module.kind != ModuleKind::servo) continue;
+    const auto faces = [&](const Eigen::Vector3d& way) {
+      return std::any_of(module.attachments.begin(), module.attachments.end(),
+                         [&](const Attachment& at) {
+                           return !at.on_horn && at.normal.dot(way) > 0.99 && lies_on(at, module);
+                         });
+    };
+    for (const Eigen::Vector3d& way : {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                       Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(0, 0, -1)})
+      EXPECT_TRUE(faces(way)) << module.name << ", towards " << way.transpose();
+  }
 }
 
 /// A slip of a unit would show: servos are neither foam nor lead, and no stronger than they weigh.
