@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Links to round joints, which are held at their mantle, are printed; so is what carries a payload."""
+"""Links to round joints, held at their mantle, are printed; so is what carries a payload."""
 
 import subprocess
 
