@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from legwright import InputError
 from legwright._motion import Motion
-from legwright.parts._loads import _Player, planned_loads
+from legwright.parts._loads import _Player, planned_loads, played_loads
 from legwright.parts._robot import read_built
 
 TIP, FOOT, WEIGHT = 0.5, 0.02, 9.81
@@ -108,6 +108,15 @@ def test_loads_have_the_peak_of_a_touch_down(tmp_path):
     (_,), feet = falling.play(0.5, '')
     up = feet['foot'][0].forces[:, 2]
     assert not up[:40].any() and up.max() > 1.5 * up[-1] > 0
+
+
+def test_a_mujoco_without_a_plugin_is_told(tmp_path, monkeypatch):
+    (tmp_path / 'result').mkdir()
+    for name in ('motion.csv', 'scene.xml'):
+        (tmp_path / 'result' / name).write_text('', encoding='utf-8')
+    monkeypatch.setattr(mujoco, 'mj_versionString', lambda: '3.0.0')
+    with pytest.raises(ImportError, match=r'MuJoCo 3.0.0 is installed.*pip install'):
+        played_loads(SimpleNamespace(), tmp_path)
 
 
 def test_a_scene_of_another_robot_is_refused(tmp_path):

@@ -11,6 +11,7 @@ import numpy as np
 
 from legwright._errors import InputError
 from legwright._motion import Motion, read_motion
+from legwright._plugin import served_mujoco
 from legwright.parts._gait import PLANNED, results_of
 from legwright.parts._robot import BuiltRobot
 from legwright.parts._words import Array
@@ -261,10 +262,12 @@ class _Player:
 
 def played_loads(robot: BuiltRobot, run: Path) -> GaitLoads | None:
     """Of a run's results as their scenes play them, at the gains of the file; None where one has no
-    scene. Raises InputError where a scene is not of this robot."""
+    scene. Raises InputError where a scene is not of this robot, ImportError, with what to install,
+    where there is no plugin for the MuJoCo that is imported."""
     results = results_of(run)
     if not all((result / SCENE).is_file() for result in results.values()):
         return None
+    served_mujoco()
     found = []
     for task, result in results.items():
         seconds = CYCLES * read_motion(result / PLANNED).period
