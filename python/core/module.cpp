@@ -26,6 +26,7 @@
 #include "python/core/python_errors.hpp"
 #include "python/core/second_engine.hpp"
 #include "python/core/session_binding.hpp"
+#include "tools/adopt/studied_robot.hpp"
 #include "tools/report/page.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
@@ -36,7 +37,6 @@
 #include "tools/task/task_file.hpp"
 #include "tools/task/toml_text.hpp"
 #include "tools/verbs/checked_task.hpp"
-#include "tools/verbs/init_files.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -92,6 +92,7 @@ LAYERS = {
     'tools/run': OPTIMIZER + MJCF + ('trajectory',) + TOOLS[:3],
     'tools/modules': MJCF + ('optimizer/motion', 'tools/files', 'tools/task', 'tools/run'),
     'tools/assemble': MJCF + ('optimizer/motion', 'tools/files', 'tools/task', 'tools/modules'),
+    'tools/adopt': ('optimizer/design', 'tools/files', 'tools/run') + MJCF,
     'tools/drawables': ('trajectory', 'tools/files', 'tools/simulate') + OPTIMIZER + MJCF,
     'tools/image': ('tools/files',),
     'tools/studio/page': (),
@@ -112,20 +113,20 @@ LAYERS = {
     'tools/viewer': ('mjcf/text', 'tools/files', 'tools/run', 'tools/simulate'),
     'tools/studio': OPTIMIZER
     + MJCF
-    + ('trajectory', 'tools/modules', 'tools/assemble')
+    + ('trajectory', 'tools/modules', 'tools/assemble', 'tools/adopt')
     + TOOLS[:6]
     + TOOLS[7:8]
     + DRAWN,
     'tools/verbs': OPTIMIZER
     + MJCF
-    + ('trajectory', 'tools/modules')
+    + ('trajectory', 'tools/modules', 'tools/adopt')
     + TOOLS[:10]
     + TOOLS[11:12],
     'program': OPTIMIZER + MJCF + TOOLS + DRAWN,
-    'python/core': OPTIMIZER + MJCF + ('tools/modules',) + TOOLS + DRAWN,
+    'python/core': OPTIMIZER + MJCF + ('tools/modules', 'tools/adopt') + TOOLS + DRAWN,
     'tests': OPTIMIZER
     + MJCF
-    + ('tools/modules', 'tools/assemble')
+    + ('tools/modules', 'tools/assemble', 'tools/adopt')
     + TOOLS
     + DRAWN
     + ('trajectory', 'plugin'),

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/safe_path.hpp"
+#include "mjcf/urdf/read_urdf.hpp"
+#include "tools/adopt/studied_robot.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/modules/assembly_file.hpp"
 #include "tools/run/result_folder.hpp"
@@ -43,9 +46,24 @@ Opening open_toml(const fs::path& file, const AllowedPaths& paths) {
   return out;
 }
 
+/// The robot of a file where that is one to be designed as it stands; nothing where it declares no
+/// parameters, or has to be made ready. Throws InputError where that cannot be done either.
+std::optional<RobotModel> ready_robot(const fs::path& file, const FileReach& reach) {
+  if (!is_urdf(read_file(file))) {
+    try {
+      RobotModel robot = read_robot(file, reach);
+      if (robot.space.size() > 0) return robot;
+      return std::nullopt;
+    } catch (const InputError&) {  // study_robot() knows better, or says more of why
+    }
+  }
+  (void)study_robot(file, reach);
+  return std::nullopt;
+}
+
 Opening open_robot_file(const fs::path& file, const FileReach& reach) {
-  RobotModel robot = read_robot(file, reach);
-  if (robot.space.size() > 0) return open_robot(std::move(robot), file);
+  if (std::optional<RobotModel> robot = ready_robot(file, reach))
+    return open_robot(*std::move(robot), file);
   Opening out;
   out.origin = file;
   out.proposes = true;
@@ -137,12 +155,14 @@ DesignSpace check_fit(const Opening& opening) {
   return make_problem(std::move(set), *opening.robot).robot.space;
 }
 
-Opening open_robot(RobotModel robot, const fs::path& origin) {
+Opening open_robot(RobotModel robot, const fs::path& origin, const Forward& ahead) {
   const std::string missing = no_task_text(robot);
   if (!missing.empty()) throw InputError(origin.string(), 0, "", missing);
   Opening out;
   out.origin = origin;
-  out.text = starter_text(starter_task(robot, std::nullopt), origin.filename().string());
+  StarterTask task = starter_task(robot, std::nullopt);
+  if (ahead) task.ahead = *ahead;
+  out.text = starter_text(task, origin.filename().string());
   out.file = origin.parent_path() / "first.toml";
   out.robot = std::move(robot);
   return out;

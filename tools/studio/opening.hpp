@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/propose/facing.hpp"
 #include "mjcf/read/read_robot.hpp"
 #include "tools/session/command.hpp"
 #include "tools/studio/allowed_paths.hpp"
@@ -40,6 +41,8 @@ Opening open_path(const std::filesystem::path& path, const AllowedPaths& paths);
 DesignSpace check_fit(const Opening& opening);
 
 /// A robot and the first task by its size. Throws InputError where there is none for it.
-Opening open_robot(RobotModel robot, const std::filesystem::path& origin);
+/// @param ahead where it faces; nothing: as it seems to be drawn
+Opening open_robot(RobotModel robot, const std::filesystem::path& origin,
+                   const Forward& ahead = {});
 
 }  // namespace legwright

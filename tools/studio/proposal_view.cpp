@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "mjcf/propose/declare.hpp"
-#include "mjcf/propose/proposals.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/urdf/read_urdf.hpp"
+#include "optimizer/motion/faced_frame.hpp"
 #include "tools/files/base64.hpp"
 
 namespace legwright {
@@ -16,15 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ProposedParameters proposed(const RobotFiles& files) {
-  return files.at_their_lines([&] { return propose_parameters(files.text(), files.file()); });
-}
-
 /// Robots before what they include, which is no model by itself; a task before its robot.
 int rank_of(const fs::path& file) {
   if (file.extension() == ".toml") return 0;
-  if (file.extension() != ".xml") return 3;
+  if (file.extension() != ".xml" && file.extension() != ".urdf") return 3;
   const std::string text = read_file(file);
+  if (is_urdf(text)) return 1;
   return text.find("<mujoco") != std::string::npos && text.find("<worldbody") != std::string::npos
              ? 1
              : 2;
@@ -32,8 +29,8 @@ int rank_of(const fs::path& file) {
 
 }  // namespace
 
-Json proposal_json(const fs::path& robot, const FileReach& reach) {
-  const ProposedParameters found = proposed(RobotFiles::read(robot, reach));
+Json proposal_json(const StudiedRobot& robot) {
+  const ProposedParameters& found = robot.found;
   const Morphology& morphology = found.model.morphology;
   Json limbs = Json::array(), parameters = Json::array(), left_out = Json::array();
   for (const Limb& limb : found.limbs) {
@@ -57,27 +54,29 @@ Json proposal_json(const fs::path& robot, const FileReach& reach) {
           {"words", fmt::format("{}: {:.3g} kg on {} feet{}", morphology.name,
                                 morphology.total_mass(), morphology.foot_count(),
                                 found.not_standing.empty() ? "" : "; " + found.not_standing)},
+          {"ahead", facing_text(found.facing.ahead)},
+          {"told", told_of(robot)},
           {"trunk", found.model.root_body},
           {"limbs", limbs},
           {"parameters", parameters},
           {"left_out", left_out}};
 }
 
-RobotModel with_proposals(const fs::path& robot, const std::vector<std::string>& names,
-                          const FileReach& reach) {
-  const RobotFiles files = RobotFiles::read(robot, reach);
-  const ProposedParameters found = proposed(files);
+RobotModel with_proposals(const StudiedRobot& robot, const std::vector<std::string>& names) {
+  const ProposedParameters& found = robot.found;
+  const std::string file = robot.files.file().string();
+  if (!found.not_standing.empty())
+    throw InputError(file, 0, "", "it would fall at once: " + found.not_standing);
   std::vector<Proposal> chosen;
   for (const std::string& name : names) {
     const auto one = std::find_if(found.proposals.begin(), found.proposals.end(),
                                   [&](const Proposal& p) { return p.name == name; });
     if (one == found.proposals.end())
-      throw InputError(robot.string(), 0, name, "is not proposed; GET /api/proposal lists what is");
+      throw InputError(file, 0, name, "is not proposed; GET /api/proposal lists what is");
     chosen.push_back(*one);
   }
-  if (chosen.empty())
-    throw InputError(robot.string(), 0, "", "nothing is ticked; tick what may change");
-  return parse_robot(files.with_main(with_declarations(files.main_text(), robot, chosen)));
+  if (chosen.empty()) throw InputError(file, 0, "", "nothing is ticked; tick what may change");
+  return parse_robot(with_declared(robot, chosen));
 }
 
 fs::path write_sent_files(const fs::path& folder, const Json& files) {
@@ -100,7 +99,7 @@ fs::path write_sent_files(const fs::path& folder, const Json& files) {
   const auto best = std::min_element(ranked.begin(), ranked.end());
   if (best->first > 2)
     throw InputError(
-        "none of these files is a robot (MJCF, .xml) or a task (.toml); drop the "
+        "none of these files is a robot (MJCF, .xml, or URDF) or a task (.toml); drop the "
         "robot's file, with its meshes beside it");
   return best->second;
 }

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "mjcf/text/input_error.hpp"
+#include "optimizer/motion/faced_frame.hpp"
+#include "tools/adopt/studied_robot.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_values.hpp"
 #include "tools/files/parse_json.hpp"
@@ -45,6 +47,14 @@ std::string told(const InputError& error) {
     out += (out.empty() ? "" : "\n") + line;
   }
   return out;
+}
+
+/// Where a designer says that a robot faces; nothing where that is left to the robot.
+Forward forward_of(const std::string& text) {
+  Forward forward = facing_axis(text);
+  if (!text.empty() && !forward)
+    throw InputError("'forward' is " + text + ", expected +x, -x, +y or -y");
+  return forward;
 }
 
 std::string query_of(const StudioRequest& request, const std::string& key) {
@@ -235,8 +245,10 @@ Json StudioService::post_open(const StudioRequest& request) {
   return Json::object();
 }
 
-Json StudioService::get_proposal(const StudioRequest&) {
-  return proposal_json(proposing(), paths_.reach());
+/// As it faces, or as ?forward=+y says.
+Json StudioService::get_proposal(const StudioRequest& request) {
+  return proposal_json(
+      study_robot(proposing(), paths_.reach(), forward_of(query_of(request, "forward"))));
 }
 
 /// Declares what was ticked, in a file of its own where one is named, and opens the robot with the
@@ -244,8 +256,9 @@ Json StudioService::get_proposal(const StudioRequest&) {
 Json StudioService::post_proposal(const StudioRequest& request) {
   const std::lock_guard opening_lock(opening_);
   const auto file = proposing();
-  RobotModel robot = with_proposals(
-      file, needed<std::vector<std::string>>(request.body, "parameters"), paths_.reach());
+  const Forward forward = forward_of(given_or<std::string>(request.body, "forward", ""));
+  RobotModel robot = with_proposals(study_robot(file, paths_.reach(), forward),
+                                    needed<std::vector<std::string>>(request.body, "parameters"));
   const auto path = given_or<std::string>(request.body, "path", "");
   if (!path.empty()) {
     const auto written = paths_.to_write(path);
@@ -253,7 +266,7 @@ Json StudioService::post_proposal(const StudioRequest& request) {
       throw IoError(written.string() + ": exists already; name a new file");
     write_main_file(written, robot.files);
   }
-  take(open_robot(std::move(robot), file));
+  take(open_robot(std::move(robot), file, forward));
   return Json::object();
 }
 

@@ -9,12 +9,12 @@
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/new_files.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/modules/assembly_file.hpp"
 #include "tools/modules/doubtful_assembly.hpp"
 #include "tools/task/starter_task.hpp"
 #include "tools/verbs/init_text.hpp"
 #include "tools/verbs/key_words.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

@@ -5,11 +5,11 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/task/problem.hpp"
 #include "tools/verbs/check_keys.hpp"
 #include "tools/verbs/checked_task.hpp"
 #include "tools/verbs/gradients.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

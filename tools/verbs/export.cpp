@@ -12,6 +12,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/licence.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/files/unfinished_folder.hpp"
 #include "tools/render/gl_context.hpp"
 #include "tools/render/portrait.hpp"
@@ -23,7 +24,6 @@
 #include "tools/verbs/export_files.hpp"
 #include "tools/verbs/export_gait.hpp"
 #include "tools/verbs/export_urdf.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

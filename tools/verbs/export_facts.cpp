@@ -18,10 +18,10 @@
 #include "tools/files/checksum.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/scene_sums.hpp"
 #include "tools/run/task_folders.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/whole_run.hpp"
 
 namespace legwright {

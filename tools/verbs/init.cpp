@@ -9,14 +9,14 @@
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/faced_frame.hpp"
+#include "tools/adopt/studied_robot.hpp"
 #include "tools/files/clean_text.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/new_files.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/task/starter_task.hpp"
-#include "tools/verbs/init_files.hpp"
 #include "tools/verbs/init_text.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

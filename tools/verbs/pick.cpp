@@ -12,6 +12,7 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/replace_folder.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/files/unfinished_path.hpp"
 #include "tools/run/by_name.hpp"
 #include "tools/run/iteration_record.hpp"
@@ -20,7 +21,6 @@
 #include "tools/run/run_json.hpp"
 #include "tools/run/scene_sums.hpp"
 #include "tools/verbs/feasibility.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 
 namespace legwright {

@@ -6,12 +6,12 @@
 #include "mjcf/text/input_error.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/task_folders.hpp"
 #include "tools/simulate/plugin_files.hpp"
 #include "tools/verbs/number_options.hpp"
-#include "tools/verbs/summary.hpp"
 #include "tools/verbs/verbs.hpp"
 #include "tools/verbs/viewer_programs.hpp"
 

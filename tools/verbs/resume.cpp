@@ -14,11 +14,11 @@
 #include "tools/files/io_error.hpp"
 #include "tools/files/json_file.hpp"
 #include "tools/files/parse_json.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/run_build.hpp"
 #include "tools/run/run_record.hpp"
-#include "tools/verbs/summary.hpp"
 
 namespace legwright {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/summary.hpp"
+#include "tools/files/shell_word.hpp"
 
 #include <fmt/format.h>
 
@@ -40,21 +41,6 @@ std::string in_words(const std::string& status, bool motion_only) {
     return "stopped at the iteration limit (usable; a larger --max-iterations goes on)";
   return status;
 }
-
-}  // namespace
-
-std::string shell_word(const std::string& text) {
-  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("/._-+=,:@").find(c) != std::string_view::npos;
-  });
-  if (plain) return text;
-  std::string quoted = "'";
-  for (char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-namespace {
 
 /// Why the result does not do. What was stopped may come to do.
 std::string reason_lines(const RunRecord& run) {

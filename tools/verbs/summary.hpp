@@ -14,7 +14,4 @@ std::string optimize_summary(const RunRecord& run, const std::filesystem::path& 
 /// The same for a run of several tasks.
 std::string joint_summary(const RunRecord& run, const std::filesystem::path& root);
 
-/// Text as a shell takes it for one word: quoted only where that is needed.
-std::string shell_word(const std::string& text);
-
 }  // namespace legwright

@@ -317,30 +317,6 @@ TEST_F(EditingTest, PhysicsPlayTheGaitAndAPushIsFelt) {
   EXPECT_EQ(browser_.post("/api/physics", {{"friction", -1.0}})["status"], 400);
 }
 
-TEST(OpeningTest, ARobotWithoutParametersIsProposedAndThenOpened) {
-  OpenStudio studio;
-  Browser& browser = *studio.browser;
-  EXPECT_EQ(browser.post("/api/command", {{"do", "start"}})["status"], 400) << "nothing is open";
-  std::string plain = read_file(test::source_dir() + "/examples/puppy/robot.xml");
-  plain.erase(plain.find("<custom>"), plain.find("</custom>") + 9 - plain.find("<custom>"));
-  const Json files = Json::array({{{"name", "dropped/mine.xml"}, {"base64", base64_of(plain)}}});
-  ASSERT_EQ(browser.post("/api/open", {{"files", files}})["status"], 200);
-  EXPECT_TRUE(browser.next("opened")["proposes"].get<bool>());
-  const Json found = browser.get("/api/proposal");
-  EXPECT_EQ(found["limbs"].size(), 4U);
-  ASSERT_GT(found["parameters"].size(), 10U);
-  const std::string first = found["parameters"][0]["name"], second = found["parameters"][1]["name"];
-  EXPECT_EQ(browser.post("/api/proposal", {{"parameters", {"tail"}}})["status"], 400);
-  ASSERT_EQ(browser.post("/api/proposal",
-                         {{"parameters", {first, second}}, {"path", "mine.xml"}})["status"],
-            200);
-  const Json document = browser.get("/api/document");
-  EXPECT_EQ(document["parameters"].size(), 2U);
-  EXPECT_EQ(document["tasks"][0]["gait"], "trot");
-  EXPECT_NE(read_file(studio.folder.path() / "mine.xml").find("legwright/" + first),
-            std::string::npos);
-}
-
 TEST(OpeningTest, ExamplesHavePicturesAndOpenByName) {
   OpenStudio studio;
   const Json start = studio.browser->get("/api/start");

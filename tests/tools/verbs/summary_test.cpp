@@ -9,13 +9,6 @@
 namespace legwright {
 namespace {
 
-TEST(ShellWord, QuotesOnlyWhatNeedsIt) {
-  EXPECT_EQ(shell_word("runs/puppy-sideways"), "runs/puppy-sideways");
-  EXPECT_EQ(shell_word("my run"), "'my run'");
-  EXPECT_EQ(shell_word("it's; rm"), "'it'\\''s; rm'");
-  EXPECT_EQ(shell_word(""), "''");
-}
-
 /// A body that was found.
 RunRecord found_run() {
   RunRecord run;

@@ -16,15 +16,18 @@ export class ProposalPage {
       h(
         "p.lead",
         {},
-        "Its file does not say yet what may change. Tick it; all other bytes of the file stay.",
+        "Its file does not say yet what may change. Tick it; all else of the file stays but for what is noted here.",
       ),
       this.body,
     );
   }
 
-  async load() {
+  /** @param {string} forward where it faces; empty: as it seems to be drawn */
+  async load(forward = "") {
+    this.forward = forward;
     fill(this.body, h("p.empty", {}, "Reading the robot …"));
-    const found = await this.studio.act(() => get("/api/proposal"));
+    const asked = `/api/proposal?forward=${encodeURIComponent(forward)}`;
+    const found = await this.studio.act(() => get(asked));
     if (found) this.show(found);
   }
 
@@ -72,7 +75,7 @@ export class ProposalPage {
   }
 
   /** What was found of the robot: its limbs, with their joints. */
-  limbs({ words: about, limbs = [] }) {
+  limbs({ words: about, ahead, told = [], limbs = [] }) {
     const head = ["limb", "joints", "foot"].map((text) => h("th", { scope: "col" }, text));
     const row = ({ name, joints = [], foot }) =>
       h(
@@ -87,12 +90,27 @@ export class ProposalPage {
       {},
       h("h2", {}, "What was found"),
       h("p", {}, about ?? ""),
+      this.facing(ahead),
+      told.length ? h("ul.notes", {}, told.map((sentence) => h("li", {}, sentence))) : null,
       h(
         "table.differences.found",
         {},
         h("thead", {}, h("tr", {}, head)),
         h("tbody", {}, limbs.map(row)),
       ),
+    );
+  }
+
+  /** Where it faces, by the axis of the trunk's frame, to be said otherwise. */
+  facing(ahead) {
+    const option = (axis) =>
+      h("option", { value: axis, selected: axis === ahead }, axis.replace("-", "−"));
+    const onChange = ({ target }) => this.load(target.value);
+    return h(
+      "label.faces",
+      {},
+      "Ahead is the trunk’s ",
+      h("select", { name: "forward", onChange }, ["+x", "-x", "+y", "-y"].map(option)),
     );
   }
 
@@ -125,6 +143,6 @@ export class ProposalPage {
 
   write() {
     const names = this.boxes.filter((box) => box.checked).map((box) => box.name);
-    this.studio.open(() => post("/api/proposal", { parameters: names }));
+    this.studio.open(() => post("/api/proposal", { parameters: names, forward: this.forward }));
   }
 }

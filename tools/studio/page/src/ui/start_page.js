@@ -77,7 +77,7 @@ export class StartPage {
     this.back = h("button", { type: "button", onClick: () => studio.showOpen() });
     this.path = h("input.wide", {
       type: "text",
-      placeholder: "ROBOT.xml, TASK.toml or a run's folder",
+      placeholder: "ROBOT.xml or .urdf, TASK.toml or a run's folder",
       aria: { label: "Path" },
       spellcheck: false,
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/verbs/urdf_words.hpp"
+#include "tools/adopt/urdf_words.hpp"
 
 #include <array>
 #include <cstddef>

@@ -45,6 +45,13 @@ StudiedRobot study_robot(const std::filesystem::path& file, const FileReach& rea
 /// `freed`, `root`, `axes` and `excluded`.
 std::vector<std::string> changes_besides(const StudiedRobot& robot);
 
+/// What a designer is told before anything is changed, a sentence each: changes_besides(), the pose
+/// that was found, the bodies that get names, and what may be a mistake in the file.
+std::vector<std::string> told_of(const StudiedRobot& robot);
+
+/// Its files with some of its proposals declared.
+RobotFiles with_declared(const StudiedRobot& robot, const std::vector<Proposal>& chosen);
+
 /// Declares the proposals in the robot's file, or in the new file `output`, and adds the keyframe
 /// of a pose that was found; all other bytes stay. In another folder than the robot's the files
 /// that it names are written beside `output` (write_main_file()).

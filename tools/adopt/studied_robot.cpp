@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/verbs/init_files.hpp"
+#include "tools/adopt/studied_robot.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include "mjcf/text/splice.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/urdf/read_urdf.hpp"
+#include "tools/adopt/urdf_words.hpp"
 #include "tools/files/atomic_file.hpp"
 #include "tools/files/io_error.hpp"
 #include "tools/files/new_files.hpp"
+#include "tools/files/shell_word.hpp"
 #include "tools/run/robot_folder.hpp"
-#include "tools/verbs/summary.hpp"
-#include "tools/verbs/urdf_words.hpp"
 
 namespace legwright {
 namespace {
@@ -245,6 +245,25 @@ std::vector<std::string> changes_besides(const StudiedRobot& robot) {
                               robot.axes->why, fmt::join(robot.axes->frame, " ")));
   if (!robot.excluded.empty()) out.push_back(excluded_words(robot.excluded));
   return out;
+}
+
+std::vector<std::string> told_of(const StudiedRobot& robot) {
+  std::vector<std::string> out = changes_besides(robot);
+  if (robot.pose)
+    out.push_back(
+        fmt::format("a pose to stand in is found for it, as its home pose is none: {}; {}",
+                    robot.pose->why, robot.pose->words));
+  if (!robot.named.empty())
+    out.push_back(
+        fmt::format("the bodies of the joints {}, which had no name, are called after them",
+                    fmt::join(robot.named, ", ")));
+  out.insert(out.end(), robot.found.remarks.begin(), robot.found.remarks.end());
+  return out;
+}
+
+RobotFiles with_declared(const StudiedRobot& robot, const std::vector<Proposal>& chosen) {
+  return robot.files.with_main(
+      with_declarations(robot.files.main_text(), robot.files.file(), chosen));
 }
 
 std::string write_proposals(const StudiedRobot& robot, const std::string& output) {
