@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/listed.hpp"
 #include "mjcf/text/model_arrays.hpp"
@@ -38,11 +39,13 @@ std::string of_ranges(const RobotModel& robot) {
     }
   }
   if (count == 0) return "";
-  return fmt::format(
-      "the range of joint '{}'{} goes to {:.4g} rad, {:.2g} turns: it seems to be in "
-      "degrees; write it in the unit that the file says (a URDF has rad)",
-      first, count == 1 ? "" : fmt::format(", as of {} more,", count - 1), end,
-      end / (2.0 * std::numbers::pi));
+  return fmt::format("the range of joint '{}'{} goes to {}, {:.2g} turns: {}", first,
+                     count == 1 ? "" : fmt::format(", as of {} more,", count - 1),
+                     angle_text(end, robot.in_degrees), end / (2.0 * std::numbers::pi),
+                     robot.in_degrees
+                         ? "no leg turns so far; write what this joint does, in degrees"
+                         : "it seems to be in degrees; write it in the unit that the file says (a "
+                           "URDF has rad)");
 }
 
 std::string of_torques(const RobotModel& robot) {

@@ -155,6 +155,23 @@ FreeState free_state(const mjModel& model, int body, int first, const double* qp
   return out;
 }
 
+/// An error at an element that may stand in any of the robot's files.
+InputError at_named(const RobotFiles& files, const char* tag, const std::string& name,
+                    const std::string& message) {
+  const auto whole = load_xml(files.text(), files.file());
+  const XmlElement* const element = find_named(whole->root(), tag, name);
+  return files.located(whole->error(element ? *element : whole->root(), message));
+}
+
+InputError at_first_key(const RobotFiles& files, const std::string& message) {
+  const auto whole = load_xml(files.text(), files.file());
+  const XmlElement* key = nullptr;
+  for_each_element(whole->root(), [&](const XmlElement& element) {
+    if (!key && is_tag(element, "key")) key = &element;
+  });
+  return files.located(whole->error(key ? *key : whole->root(), message));
+}
+
 /// Gives keyframes the free joint's numbers. Those of velocities only where a keyframe has some.
 void change_keyframes(TextEdits& edits, const RobotFiles& files, const XmlFile& xml,
                       const mjModel& model, int body, int first) {
@@ -163,9 +180,10 @@ void change_keyframes(TextEdits& edits, const RobotFiles& files, const XmlFile& 
     if (is_tag(element, "key")) keys.push_back(&element);
   });
   if (keys.size() != static_cast<std::size_t>(model.nkey))
-    throw InputError(files.file().string(), 0, "keyframe",
-                     "stands in an included file, where init cannot change it: put keyframes into "
-                     "the main file, or a free joint in the place of the trunk's six");
+    throw at_first_key(
+        files,
+        "stands in an included file, where init cannot change it: put keyframes into "
+        "the main file, or a free joint in the place of the trunk's six");
   for (int k = 0; k < model.nkey; ++k) {
     const XmlElement& key = *keys[static_cast<std::size_t>(k)];
     const FreeState state = free_state(model, body, first, model.key_qpos + k * model.nq,
@@ -292,9 +310,9 @@ RobotFiles with_free_root(const RobotFiles& files, const SixJointRoot& root) {
   for (const XmlElement* const of : chain) joints += joint_elements(*of).size();
   const bool is_carried = chain.size() > 1;
   if (joints != kSix || (is_carried && !is_tag(*chain.back()->Parent()->ToElement(), "worldbody")))
-    throw InputError(files.file().string(), 0, fmt::format("body '{}'", root.body),
-                     "floats by six joints that are not in the main file, or in a frame, where "
-                     "init could put a free joint in their place: write <freejoint/> for them");
+    throw at_named(files, "body", root.body,
+                   "floats by six joints that are not in the main file, or in a frame, where "
+                   "init could put a free joint in their place: write <freejoint/> for them");
   TextEdits edits(*xml);
   if (is_carried) place_trunk(edits, chain, *model, body, files.file());
   change_keyframes(edits, files, *xml, *model, body, root.first);

@@ -340,13 +340,9 @@ void add_declared(const XmlFile& xml, const mjModel& model, const std::string& n
 
 void check_declarations(const XmlFile& xml, Refusals& reasons) {
   Pairs pairs;
-  try {
-    pairs = collect_pairs(xml);
-  } catch (const InputError& fault) {
-    reasons.add(fault);
-    return;
-  }
-  for (const auto& [name, both] : pairs.elements) try {
+  if (!reasons.collect([&] { pairs = collect_pairs(xml); })) return;
+  for (const auto& [name, both] : pairs.elements)
+    reasons.collect([&xml, &both = both] {
       if (!both.numeric) throw without_numeric(xml, *both.text);
       if (!both.text) throw without_text(xml, *both.numeric);
       DesignParameter parameter;
@@ -355,29 +351,25 @@ void check_declarations(const XmlFile& xml, Refusals& reasons) {
         if (const char* const kind = bound_kind(parameter);
             !find_named(xml.root(), kind, word.name))
           throw not_in_the_model(xml, *both.text, kind, word.name);
-    } catch (const InputError& fault) {
-      reasons.add(fault);
-    }
+    });
 }
 
-Declarations read_declarations(const XmlFile& xml, const mjModel& model,
-                               const Structure& structure) {
-  const Pairs pairs = collect_pairs(xml);
+Declarations read_declarations(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                               Refusals& reasons) {
+  Pairs pairs;
+  if (!reasons.collect([&] { pairs = collect_pairs(xml); })) return {};
   for (const auto& [name, both] : pairs.elements)
-    if (!both.numeric) throw without_numeric(xml, *both.text);
-  if (pairs.order.size() > 500)
-    throw InputError(xml.file.string(), 0, "custom", "more than 500 design parameters");
+    if (!both.numeric) reasons.add(without_numeric(xml, *both.text));
+  constexpr std::size_t kMost = 500;
+  if (pairs.order.size() > kMost) {
+    reasons.add(xml.error(*pairs.elements.at(pairs.order[kMost]).numeric,
+                          fmt::format("more than {} design parameters", kMost)));
+    return {};
+  }
   Declarations out;
-  Refusals reasons;
-  for (const std::string& name : pairs.order) try {
-      add_declared(xml, model, name, pairs.elements.at(name), structure, out);
-    } catch (const InputError& error) {
-      reasons.add(error);
-    }
-  reasons.throw_if_any();
-  // For their checks:
-  check_places(xml, model, collect_places(out.space, out.bindings, xml.file),
-               collect_stretches(out.space, out.bindings, xml.file));
+  for (const std::string& name : pairs.order)
+    reasons.collect(
+        [&] { add_declared(xml, model, name, pairs.elements.at(name), structure, out); });
   return out;
 }
 

@@ -22,10 +22,10 @@ struct Declarations {
 };
 
 /// Reads the pairs <numeric name="legwright/NAME"> and <text name="legwright/NAME"> and resolves
-/// what they name in the compiled model. Throws InputError for anything that is not understood or
-/// does not fit.
-Declarations read_declarations(const XmlFile& xml, const mjModel& model,
-                               const Structure& structure);
+/// what they name in the compiled model. Those that are not understood or do not fit are left out,
+/// each with a reason.
+Declarations read_declarations(const XmlFile& xml, const mjModel& model, const Structure& structure,
+                               Refusals& reasons);
 
 /// What of read_declarations() the text alone tells: form, values and bounds, names that no element
 /// has. Told together with other faults of the file, before a model is there. Throws nothing.

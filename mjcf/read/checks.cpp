@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/text/compile.hpp"
+#include "mjcf/text/elements.hpp"
 #include "mjcf/text/mjcf_words.hpp"
 #include "mjcf/text/nearest_word.hpp"
 #include "mjcf/text/numbers.hpp"
@@ -180,6 +181,20 @@ void check_element(const XmlFile& xml, const XmlElement& element) {
   check_axis(xml, element);
 }
 
+/// Where a body, joint or geom stands that may have no name; 0 where MuJoCo's are not the file's.
+int line_in_tree(const XmlFile& xml, const mjModel& model, mjtObj type, int id) {
+  try {
+    const TreeElements tree = find_elements(xml, model);
+    const auto& all = type == mjOBJ_BODY    ? tree.bodies
+                      : type == mjOBJ_JOINT ? tree.joints
+                                            : tree.geoms;
+    const XmlElement* const element = all.at(static_cast<std::size_t>(id));
+    return element ? element->GetLineNum() : 0;
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
 }  // namespace
 
 std::string with_decimal_points(const XmlFile& xml) {
@@ -229,17 +244,20 @@ InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int i
                     const std::string& message) {
   const char* const tag = type == mjOBJ_BODY ? "body" : type == mjOBJ_JOINT ? "joint" : "geom";
   const std::string name = name_of(model, type, id);
-  if (!name.empty()) {
-    if (const XmlElement* element = find_named(xml.root(), tag, name))
-      return xml.error(*element, message);
-    if (type == mjOBJ_JOINT)
-      if (const XmlElement* element = find_named(xml.root(), "freejoint", name))
-        return xml.error(*element, message);
-  } else if (type != mjOBJ_BODY) {
+  const XmlElement* element = nullptr;
+  if (!name.empty()) element = find_named(xml.root(), tag, name);
+  if (!element && !name.empty() && type == mjOBJ_JOINT)
+    element = find_named(xml.root(), "freejoint", name);
+  if (element) return xml.error(*element, message);
+  if (name.empty() && type != mjOBJ_BODY) {
     const int body = type == mjOBJ_JOINT ? model.jnt_bodyid[id] : model.geom_bodyid[id];
-    return error_at(xml, model, mjOBJ_BODY, body, fmt::format("its unnamed {}: {}", tag, message));
+    const InputError at_body =
+        error_at(xml, model, mjOBJ_BODY, body, fmt::format("its unnamed {}: {}", tag, message));
+    const int line = line_in_tree(xml, model, type, id);
+    return InputError(at_body.file(), line > 0 ? line : at_body.line(), at_body.where(),
+                      at_body.message());
   }
-  return InputError(xml.file.string(), 0,
+  return InputError(xml.file.string(), line_in_tree(xml, model, type, id),
                     name.empty() ? fmt::format("unnamed {}", tag) : tag + (" '" + name + "'"),
                     message);
 }

@@ -25,8 +25,7 @@ std::string with_decimal_points(const XmlFile& xml);
 /// fill the memory, control characters. Throws InputError.
 void check_values(const XmlFile& xml);
 
-/// Error at a body, joint or geom of the compiled model; falls back on the file where it has no
-/// name.
+/// Error at a body, joint or geom of the compiled model, with its line also where it has no name.
 InputError error_at(const XmlFile& xml, const mjModel& model, mjtObj type, int id,
                     const std::string& message);
 

@@ -14,6 +14,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -303,16 +304,18 @@ std::vector<Facet> facets_at(const Connector& connector, const std::vector<Vecto
 std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
                                        const Structure& structure, const StretchMap& stretches,
                                        const std::vector<TurningPart>& turning,
-                                       const VectorXd& initial) {
+                                       const VectorXd& initial, Refusals& reasons) {
   const std::vector<const XmlElement*> texts = custom_elements(xml, "text", kConnectorPrefix);
   std::vector<Connector> out;
   if (texts.empty()) return out;
   const TreeElements elements = find_elements(xml, model);
   const MeshElements meshes = find_mesh_elements(xml);
   for (const XmlElement* text : texts)
-    out.push_back(
-        ConnectorReader(xml, model, elements, structure, stretches, turning, initial, meshes, *text)
-            .run());
+    reasons.collect([&] {
+      out.push_back(ConnectorReader(xml, model, elements, structure, stretches, turning, initial,
+                                    meshes, *text)
+                        .run());
+    });
   return out;
 }
 

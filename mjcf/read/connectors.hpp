@@ -15,6 +15,7 @@
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
 #include "mjcf/shape/affine.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -28,13 +29,13 @@ inline constexpr std::string_view kConnectorPrefix = "legwright_connector/";
 /// the origin of a body of its own with an <inertial> and without joint; the bodies and geoms stand
 /// beside that, and the joint is of the body that holds it. Points are from their origins [m], in
 /// the axes of the mesh; those of a joint, and of a body that turns with one, turn with its axis.
-/// Throws InputError for anything else, and where the file's mesh or <inertial> is not that of the
-/// hull.
+/// One that is anything else, or whose mesh or <inertial> in the file is not that of the hull, is
+/// left out with a reason.
 /// @param initial the design that the file holds
 std::vector<Connector> read_connectors(const XmlFile& xml, const mjModel& model,
                                        const Structure& structure, const StretchMap& stretches,
                                        const std::vector<TurningPart>& turning,
-                                       const Eigen::VectorXd& initial);
+                                       const Eigen::VectorXd& initial, Refusals& reasons);
 
 /// Their point masses (masses_of_solid()), by the names of their bodies, in whose frames they are.
 void add_connector_masses(const std::vector<Connector>& connectors, const Eigen::VectorXd& initial,

@@ -51,32 +51,36 @@ std::set<std::string> declared_names(const mjModel& model) {
 
 class StructureReader {
  public:
-  StructureReader(const XmlFile& xml, const mjModel& model) : xml_(xml), model_(model) {}
+  StructureReader(const XmlFile& xml, const mjModel& model, Refusals& reasons)
+      : xml_(xml), model_(model), reasons_(reasons) {}
 
-  Structure run(const Structure* known) {
+  FoundStructure run(const Structure* known) {
     out_.trunk = find_trunk(xml_, model_, reasons_);
     if (out_.trunk < 0) reasons_.throw_if_any();
     check_surroundings(xml_, model_, out_.trunk, reasons_);
-    if (known && has_parts_of(model_, *known)) {
-      out_ = *known;
-      reasons_.throw_if_any();
-      return std::move(out_);
-    }
+    if (known && has_parts_of(model_, *known)) return {*known};
     data_ = kinematics_at(model_, home_qpos(model_), xml_.file);
     out_.moves.assign(static_cast<std::size_t>(model_.njnt), false);
     for (int j = 0; j < model_.njnt; ++j) out_.moves[at(j)] = hangs_on_trunk(j);
     find_legs();
     freeze_coupled();
+    std::vector<int> refused;
     for (int j = 0; j < model_.njnt; ++j)
-      if (out_.moves[at(j)]) check_leg_joint(xml_, model_, j, reasons_);
+      if (out_.moves[at(j)] && !check_leg_joint(xml_, model_, j, reasons_)) refused.push_back(j);
     check_loops(xml_, model_, out_, reasons_);
     for (const int end : ends()) add_foot(end);
+    for (const int joint : refused) freeze(joint, "refused");
     read_tendons();
-    reasons_.throw_if_any();
-    return std::move(out_);
+    return {std::move(out_), is_whole_ && refused.empty()};
   }
 
  private:
+  /// A reason on which what follows hangs.
+  void refuse(const InputError& reason) {
+    reasons_.add(reason);
+    is_whole_ = false;
+  }
+
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   bool hangs_on_trunk(int joint) const {
     const int body = model_.jnt_bodyid[joint];
@@ -224,7 +228,7 @@ class StructureReader {
                              name_of(model_, mjOBJ_JOINT, j), why.at(j));
         }
       if (moving > 0 && pulled > moving)
-        reasons_.add(error_at(
+        refuse(error_at(
             xml_, model_, mjOBJ_BODY, end,
             fmt::format(
                 "ends a leg of which {} hinges would be held in the home pose, as actuators "
@@ -233,7 +237,7 @@ class StructureReader {
                 "actuator, and remove what couples them",
                 pulled, drivers, moving, all)));
       if (moving == 0)
-        reasons_.add(error_at(
+        refuse(error_at(
             xml_, model_, mjOBJ_BODY, end,
             fmt::format("ends a leg of which no joint moves by itself, and coupled joints are held "
                         "in the home pose ({}); remove what couples them, or give each hinge an "
@@ -241,16 +245,16 @@ class StructureReader {
                         all)));
     }
     if (leg_ends.empty())
-      reasons_.add(error_at(xml_, model_, mjOBJ_BODY, out_.trunk,
-                            "has no limb: no hinge hangs on the trunk; add legs"));
+      refuse(error_at(xml_, model_, mjOBJ_BODY, out_.trunk,
+                      "has no limb: no hinge hangs on the trunk; add legs"));
   }
 
   void add_foot(int end) {
     FootContact foot;
     if (!choose_foot(xml_, model_, *data_, link_of(end), foot)) {
-      reasons_.add(error_at(xml_, model_, mjOBJ_BODY, end,
-                            "ends a leg without a foot; add <geom type=\"sphere\"> that collides "
-                            "(contype=\"1\") at its end, or a <site> where a ball shall be"));
+      refuse(error_at(xml_, model_, mjOBJ_BODY, end,
+                      "ends a leg without a foot; add <geom type=\"sphere\"> that collides "
+                      "(contype=\"1\") at its end, or a <site> where a ball shall be"));
       return;
     }
     foot.name = name_of_foot(foot, end);
@@ -328,14 +332,16 @@ class StructureReader {
   const XmlFile& xml_;
   const mjModel& model_;
   DataPointer data_;
-  Refusals reasons_;
+  Refusals& reasons_;
+  bool is_whole_ = true;
   Structure out_;
 };
 
 }  // namespace
 
-Structure read_structure(const XmlFile& xml, const mjModel& model, const Structure* known) {
-  return StructureReader(xml, model).run(known);
+FoundStructure read_structure(const XmlFile& xml, const mjModel& model, const Structure* known,
+                              Refusals& reasons) {
+  return StructureReader(xml, model, reasons).run(known);
 }
 
 }  // namespace legwright

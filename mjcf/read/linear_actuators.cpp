@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mjcf/read/checks.hpp"
+#include "mjcf/read/couplings.hpp"
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/elements.hpp"
@@ -40,26 +41,44 @@ TendonSpan read_tendon(const XmlFile& xml, const mjModel& model, const Structure
 }  // namespace
 
 std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
-                                     const Structure& structure) {
+                                     FoundStructure& found, Refusals& reasons) {
   const SectionElements elements(xml, "tendon");
   std::vector<TendonSpan> spans;
+  std::vector<int> refused;
   for (int t = 0; t < static_cast<int>(model.ntendon); ++t)
-    if (structure.reads_tendon[static_cast<std::size_t>(t)])
-      spans.push_back(read_tendon(xml, model, structure, t, elements[t]));
+    if (found.structure.reads_tendon[static_cast<std::size_t>(t)] && !reasons.collect([&] {
+          spans.push_back(read_tendon(xml, model, found.structure, t, elements[t]));
+        }))
+      refused.push_back(t);
+  found.is_whole = found.is_whole && refused.empty();
+  for (const int t : refused) {
+    found.structure.reads_tendon[static_cast<std::size_t>(t)] = false;
+    for (const int joint : joints_under(model, t)) {
+      found.structure.moves[static_cast<std::size_t>(joint)] = false;
+      found.structure.frozen.push_back({joint, name_of(model, mjOBJ_JOINT, joint), "", "refused"});
+    }
+  }
+  // One over a joint that another has turned into a held one.
+  spans.erase(std::remove_if(spans.begin(), spans.end(),
+                             [&](const TendonSpan& span) {
+                               return !found.structure.moves[static_cast<std::size_t>(span.joint)];
+                             }),
+              spans.end());
   return spans;
 }
 
 void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
-                const Morphology& morphology, const DesignSpace& space) {
+                const Morphology& morphology, const DesignSpace& space, Refusals& reasons) {
   for (std::size_t k = 0; k < morphology.linear_actuators.size(); ++k) {
     const LinearActuator& actuator = morphology.linear_actuators[k];
     const Eigen::Vector3d shape = actuator_shape(morphology, actuator, space.initial()).value;
     const double home = morphology.links[actuator.joint + 1].joint.nominal;
     // Written so that NaN, of a length of zero, is a fault.
     if (!(std::abs(moment_arm(shape, home)) > 1e-9))
-      throw xml.error(SectionElements(xml, "tendon")[tendons[k].tendon],
-                      "has no moment arm about its hinge in the home pose; move its sites off the "
-                      "line through the hinge, or change the keyframe 'home'");
+      reasons.add(xml.error(
+          SectionElements(xml, "tendon")[tendons[k].tendon],
+          "has no moment arm about its hinge in the home pose; move its sites off the line through "
+          "the hinge, or change the keyframe 'home'"));
   }
 }
 
@@ -70,30 +89,39 @@ bool is_tendon_end(const mjModel& model, int site) {
 }
 
 PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
-                        const std::filesystem::path& file) {
+                        const std::filesystem::path& file, Refusals& reasons) {
   PlaceMap places;
-  for (int k = 0; k < space.size(); ++k) {
-    if (space.parameters[k].kind != ParameterKind::position) continue;
-    for (const Binding::Target& target : bindings[k].targets) {
-      int axis = 0;
-      while (target.direction[axis] == 0.0) ++axis;
-      std::vector<Place>& own = places[target.name];
-      for (const Place& other : own)
-        if (other.axis == axis)
-          throw InputError(
-              file.string(), target.line,
-              fmt::format("text 'legwright/{}'", space.parameters[k].name),
-              fmt::format("site '{}' is already placed along {} by 'legwright/{}'; "
-                          "use another direction",
-                          target.name, "xyz"[axis], space.parameters[other.parameter].name));
-      own.push_back({k, axis, target.factor});
-    }
-  }
+  const auto add = [&](int k, const Binding::Target& target) {
+    int axis = 0;
+    while (target.direction[axis] == 0.0) ++axis;
+    std::vector<Place>& own = places[target.name];
+    for (const Place& other : own)
+      if (other.axis == axis)
+        throw InputError(
+            file.string(), target.line,
+            fmt::format("text 'legwright/{}'", space.parameters[k].name),
+            fmt::format("site '{}' is already placed along {} by 'legwright/{}'; use another "
+                        "direction",
+                        target.name, "xyz"[axis], space.parameters[other.parameter].name));
+    own.push_back({k, axis, target.factor});
+  };
+  for (int k = 0; k < space.size(); ++k)
+    if (space.parameters[k].kind == ParameterKind::position)
+      for (const Binding::Target& target : bindings[k].targets)
+        reasons.collect([&] { add(k, target); });
   return places;
 }
 
+PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
+                        const std::filesystem::path& file) {
+  Refusals reasons;
+  PlaceMap out = collect_places(space, bindings, file, reasons);
+  reasons.throw_if_any();
+  return out;
+}
+
 void check_places(const XmlFile& xml, const mjModel& model, const PlaceMap& places,
-                  const StretchMap& stretches) {
+                  const StretchMap& stretches, Refusals& reasons) {
   for (const auto& [name, own] : places) {
     const int site = mj_name2id(&model, mjOBJ_SITE, name.c_str());
     const std::string body = name_of(model, mjOBJ_BODY, model.site_bodyid[site]);
@@ -103,11 +131,12 @@ void check_places(const XmlFile& xml, const mjModel& model, const PlaceMap& plac
       for (const Stretch& stretch : found->second) {
         const double share = std::abs(stretch.direction[place.axis]);
         if (share > 1e-9 && share < 1.0 - 1e-9)
-          throw xml.error(*find_named(xml.root(), "site", name),
-                          fmt::format("is placed along {}, but body '{}' is stretched obliquely to "
-                                      "it; put the site on a fixed body of its own, or build the "
-                                      "body along its frame's axes",
-                                      "xyz"[place.axis], body));
+          reasons.add(
+              xml.error(*find_named(xml.root(), "site", name),
+                        fmt::format("is placed along {}, but body '{}' is stretched obliquely to "
+                                    "it; put the site on a fixed body of its own, or build the "
+                                    "body along its frame's axes",
+                                    "xyz"[place.axis], body)));
       }
   }
 }

@@ -3,9 +3,11 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjcf/read/legs.hpp"
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
 #include "mjcf/shape/affine.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -16,25 +18,28 @@ struct TendonSpan {
   int tendon, upper_site, lower_site, joint;
 };
 
-/// The linear actuators among the tendons: those of `structure`. Throws InputError for one that is
-/// not over exactly one hinge.
+/// The linear actuators among the tendons: those of `structure`. One that is not over exactly one
+/// hinge is a reason, and left out: afterwards it and what it is over count as held.
 std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
-                                     const Structure& structure);
+                                     FoundStructure& found, Refusals& reasons);
 
 /// Checks that each actuator has a moment arm in the home pose; its stroke is the planner's
-/// concern. Throws InputError.
+/// concern.
 void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
-                const Morphology& morphology, const DesignSpace& space);
+                const Morphology& morphology, const DesignSpace& space, Refusals& reasons);
 
 /// Whether a site is an end of a tendon.
 bool is_tendon_end(const mjModel& model, int site);
 
-/// All placed coordinates by site. Throws InputError where one is placed twice.
+/// All placed coordinates by site. Throws InputError with all that are placed twice.
 PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
                         const std::filesystem::path& file);
-/// Throws InputError for a placed coordinate that a stretch of its body moves obliquely: then the
-/// site's place would not be told by its numbers alone.
+/// The same; one that is placed before is left out, with a reason.
+PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
+                        const std::filesystem::path& file, Refusals& reasons);
+/// A placed coordinate that a stretch of its body moves obliquely is a reason: the site's place
+/// would not be told by its numbers alone.
 void check_places(const XmlFile& xml, const mjModel& model, const PlaceMap& places,
-                  const StretchMap& stretches);
+                  const StretchMap& stretches, Refusals& reasons);
 
 }  // namespace legwright

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -30,28 +31,37 @@ MotorLine line_of(const XmlFile& xml, const XmlElement& numeric) {
   return {numbers[0], numbers[1]};
 }
 
+void read_motor_line(const XmlFile& xml, const XmlElement& numeric, std::string_view joint,
+                     const Morphology& morphology, std::vector<Servo>& servos) {
+  const bool is_of_leg = std::any_of(morphology.links.begin() + 1, morphology.links.end(),
+                                     [&](const Link& link) { return link.joint.name == joint; });
+  if (!is_of_leg)
+    throw xml.error(numeric, fmt::format("is the motor of joint '{}', which no servo of a limb "
+                                         "moves; correct the name, or remove it",
+                                         joint));
+  const MotorLine line = line_of(xml, numeric);
+  const auto servo = std::find_if(servos.begin(), servos.end(),
+                                  [&](const Servo& each) { return each.joint == joint; });
+  if (servo == servos.end()) return;  // refused
+  if (std::isfinite(servo->torque_limit) &&
+      line.stall_torque < (1.0 - kTorqueDigits) * servo->torque_limit)
+    throw xml.error(numeric, fmt::format("has {0} {3} at rest, less than the {4} limit of "
+                                         "actuator '{1}', {2} {3}; lower its forcerange",
+                                         line.stall_torque, servo->actuator, servo->torque_limit,
+                                         servo->tendon.empty() ? "N m" : "N",
+                                         servo->tendon.empty() ? "torque" : "force"));
+  servo->line = line;
+}
+
 }  // namespace
 
-void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vector<Servo>& servos) {
+void read_motor_lines(const XmlFile& xml, const Structure& structure, const Morphology& morphology,
+                      std::vector<Servo>& servos, Refusals& reasons) {
   for (const XmlElement* const numeric : custom_elements(xml, "numeric", kMotorPrefix)) {
     const std::string_view joint = attribute(*numeric, "name").substr(kMotorPrefix.size());
     const auto is_held = [&](const FrozenJoint& frozen) { return frozen.name == joint; };
     if (std::any_of(structure.frozen.begin(), structure.frozen.end(), is_held)) continue;
-    const auto servo = std::find_if(servos.begin(), servos.end(),
-                                    [&](const Servo& each) { return each.joint == joint; });
-    if (servo == servos.end())
-      throw xml.error(*numeric, fmt::format("is the motor of joint '{}', which no servo of a limb "
-                                            "moves; correct the name, or remove it",
-                                            joint));
-    const MotorLine line = line_of(xml, *numeric);
-    if (std::isfinite(servo->torque_limit) &&
-        line.stall_torque < (1.0 - kTorqueDigits) * servo->torque_limit)
-      throw xml.error(*numeric, fmt::format("has {0} {3} at rest, less than the {4} limit of "
-                                            "actuator '{1}', {2} {3}; lower its forcerange",
-                                            line.stall_torque, servo->actuator, servo->torque_limit,
-                                            servo->tendon.empty() ? "N m" : "N",
-                                            servo->tendon.empty() ? "torque" : "force"));
-    servo->line = line;
+    reasons.collect([&] { read_motor_line(xml, *numeric, joint, morphology, servos); });
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -17,8 +18,10 @@ inline constexpr std::string_view kMotorPrefix = "legwright_motor/";
 /// the joint] into the servos: torque falls from the one at rest to zero at the other (MotorLine).
 /// Of a joint that a linear actuator moves they are force and speed along it [N, m/s]. Those of
 /// joints that are held are passed over.
-/// Throws InputError for a joint without servo, for other numbers than two positive ones, and for a
-/// stall torque below the servo's torque limit.
-void read_motor_lines(const XmlFile& xml, const Structure& structure, std::vector<Servo>& servos);
+/// A joint that is none of the legs', other numbers than two positive ones, and a stall torque
+/// below the servo's torque limit are reasons; those of joints whose servo is refused are checked
+/// alone.
+void read_motor_lines(const XmlFile& xml, const Structure& structure, const Morphology& morphology,
+                      std::vector<Servo>& servos, Refusals& reasons);
 
 }  // namespace legwright

@@ -14,6 +14,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -76,7 +77,6 @@ class Printer {
                                    what));
   }
 
-  /// "in body 'shank'"; empty where that has no name.
   /// "in body 'shank'", or that it has no name.
   static std::string place_of(const XmlElement& geom) {
     const XmlElement* body = geom.Parent()->ToElement();
@@ -299,39 +299,49 @@ void check_weight(const XmlFile& xml, const XmlElement& body, const std::vector<
                     "boundmass, balanceinertia?); remove that setting or give an <inertial>");
 }
 
+std::vector<PointMass> masses_of_printed(const XmlFile& xml, const mjModel& model,
+                                         const Structure& structure, const TreeElements& elements,
+                                         const std::string& name, const std::vector<Stretch>& own) {
+  const XmlElement& body = *find_named(xml.root(), "body", name);
+  const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
+  Printer printer(xml, own);
+  std::vector<Solid> meshes;
+  Refusals reasons;
+  const auto add = [&](Solid& solid) {
+    for (const FootContact& foot : structure.feet) {
+      const auto& geoms = elements.geoms;
+      const auto geom = std::find(geoms.begin(), geoms.end(), solid.element) - geoms.begin();
+      if (!is_of_foot(foot, static_cast<int>(geom))) continue;
+      solid.shift = foot_shift(xml, elements, model, foot, own);
+      if (solid.type == mjGEOM_MESH && solid.density > 0.0)
+        check_mesh_foot(xml, model, elements, foot, own);
+    }
+    if (solid.type != mjGEOM_MESH)
+      printer.add(solid);
+    else if (solid.density > 0.0)
+      meshes.push_back(solid);
+  };
+  for (Solid& solid : solids_of(xml, model, elements, id)) reasons.collect([&] { add(solid); });
+  reasons.throw_if_any();
+  std::vector<PointMass> masses = printer.take();
+  if (!meshes.empty())
+    add_meshes(xml, body, meshes, own, moments_of(model, id) - moments_of(masses, own), masses);
+  check_weight(xml, body, masses, own, model, id);
+  return masses;
+}
+
 }  // namespace
 
 PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structure& structure,
-                        const StretchMap& stretches) {
+                        const StretchMap& stretches, Refusals& reasons) {
   PrintedMap printed;
   if (stretches.empty()) return printed;
   const TreeElements elements = find_elements(xml, model);
-  for (const auto& [name, own] : stretches) {
-    const XmlElement& body = *find_named(xml.root(), "body", name);
-    if (body.FirstChildElement("inertial")) continue;
-    const int id = mj_name2id(&model, mjOBJ_BODY, name.c_str());
-    Printer printer(xml, own);
-    std::vector<Solid> meshes;
-    for (Solid& solid : solids_of(xml, model, elements, id)) {
-      for (const FootContact& foot : structure.feet) {
-        const auto& geoms = elements.geoms;
-        const auto geom = std::find(geoms.begin(), geoms.end(), solid.element) - geoms.begin();
-        if (!is_of_foot(foot, static_cast<int>(geom))) continue;
-        solid.shift = foot_shift(xml, elements, model, foot, own);
-        if (solid.type == mjGEOM_MESH && solid.density > 0.0)
-          check_mesh_foot(xml, model, elements, foot, own);
-      }
-      if (solid.type != mjGEOM_MESH)
-        printer.add(solid);
-      else if (solid.density > 0.0)
-        meshes.push_back(solid);
-    }
-    std::vector<PointMass> masses = printer.take();
-    if (!meshes.empty())
-      add_meshes(xml, body, meshes, own, moments_of(model, id) - moments_of(masses, own), masses);
-    check_weight(xml, body, masses, own, model, id);
-    printed.emplace(name, std::move(masses));
-  }
+  for (const auto& [name, own] : stretches)
+    if (!find_named(xml.root(), "body", name)->FirstChildElement("inertial"))
+      reasons.collect([&, &name = name, &own = own] {
+        printed.emplace(name, masses_of_printed(xml, model, structure, elements, name, own));
+      });
   return printed;
 }
 

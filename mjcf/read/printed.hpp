@@ -9,6 +9,7 @@
 
 #include "mjcf/read/structure.hpp"
 #include "mjcf/shape/affine.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -20,9 +21,9 @@ using PrintedMap = std::map<std::string, std::vector<PointMass>>;
 /// Boxes grow along their own axes, cylinders and capsules placed by `fromto` along theirs (the
 /// round ends of a capsule do not), the rest keeps its size. A part's own `mass` stays, but for a
 /// capsule that grows: that keeps its density, and its `mass` is rewritten. Exactly what MuJoCo
-/// will compute of the rewritten file. Throws InputError for a geom that would not keep its shape,
-/// and where MuJoCo weighs the body otherwise.
+/// will compute of the rewritten file. A geom that would not keep its shape, and a body that MuJoCo
+/// weighs otherwise, are reasons, for which the body is left out.
 PrintedMap read_printed(const XmlFile& xml, const mjModel& model, const Structure& structure,
-                        const StretchMap& stretches);
+                        const StretchMap& stretches, Refusals& reasons);
 
 }  // namespace legwright

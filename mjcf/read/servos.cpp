@@ -212,23 +212,6 @@ std::string driven_joint(const mjModel& model, const Morphology& morphology, int
   }
 }
 
-/// A tendon without actuator would be a cable that the planner does not know.
-void check_each_tendon_drives(const XmlFile& xml, const Morphology& morphology,
-                              const std::vector<Servo>& servos) {
-  Refusals reasons;
-  for (const LinearActuator& actuator : morphology.linear_actuators) {
-    const std::string& name = actuator.name;
-    const bool drives = std::any_of(servos.begin(), servos.end(),
-                                    [&](const Servo& servo) { return servo.tendon == name; });
-    if (!drives)
-      reasons.add(InputError(xml.file.string(), 0, fmt::format("tendon '{}'", name),
-                             fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
-                                         "forcerange=/>, or remove it",
-                                         name)));
-  }
-  reasons.throw_if_any();
-}
-
 /// Moment arm of an actuator in the home pose [m]; one for a servo at its joint [-].
 double home_arm(const mjModel& model, const Morphology& morphology, const Eigen::VectorXd& s,
                 int actuator) {
@@ -242,23 +225,53 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
                              morphology.links[linear.joint + 1].joint.nominal));
 }
 
-InputError without_actuator(const XmlFile& xml, const mjModel& model, const std::string& joint) {
-  const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
+/// A tendon without actuator would be a cable that the planner does not know.
+InputError tendon_without_actuator(const XmlFile& xml, const mjModel& model,
+                                   const LinearActuator& actuator) {
+  const int tendon = mj_name2id(&model, mjOBJ_TENDON, actuator.name.c_str());
+  return xml.error(SectionElements(xml, "tendon")[tendon],
+                   fmt::format("has no actuator; add <position tendon=\"{}\" kp= kv= "
+                               "forcerange=/>, or remove it",
+                               actuator.name));
+}
+
+/// Tendons over joints that something else drives.
+void check_each_tendon_drives(const XmlFile& xml, const mjModel& model,
+                              const Morphology& morphology,
+                              const std::map<std::string, int>& actuator_of, Refusals& reasons) {
+  for (const LinearActuator& actuator : morphology.linear_actuators) {
+    const auto found = actuator_of.find(morphology.links[actuator.joint + 1].joint.name);
+    if (found == actuator_of.end() || found->second < 0) continue;
+    const int target = model.actuator_trnid[std::ptrdiff_t{2} * found->second];
+    const bool drives = model.actuator_trntype[found->second] == mjTRN_TENDON &&
+                        name_of(model, mjOBJ_TENDON, target) == actuator.name;
+    if (!drives) reasons.add(tendon_without_actuator(xml, model, actuator));
+  }
+}
+
+/// Of a joint that nothing drives, or of the tendon that should.
+InputError without_actuator(const XmlFile& xml, const mjModel& model, const Morphology& morphology,
+                            int joint) {
+  for (const LinearActuator& actuator : morphology.linear_actuators)
+    if (actuator.joint == joint) return tendon_without_actuator(xml, model, actuator);
+  const std::string& name = morphology.links[joint + 1].joint.name;
+  const int id = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
   const char* const what = model.jnt_stiffness[id] != 0.0 ? "is a spring without" : "has no";
   return error_at(xml, model, mjOBJ_JOINT, id,
                   fmt::format("{} actuator; passive joints in legs are not supported. If a motor "
                               "moves it, add <position joint=\"{}\" kp= kv= forcerange=/>; else "
                               "remove the joint, which fixes its body to the one above",
-                              what, joint));
+                              what, name));
 }
+
+constexpr int kRefused = -1;  // an actuator of which the reason is told
 
 /// The actuator of each joint by its name, of those that move limbs.
 std::map<std::string, int> actuators_of_joints(const XmlFile& xml, const mjModel& model,
                                                const Structure& structure,
                                                const Morphology& morphology,
-                                               const SectionElements& elements) {
+                                               const SectionElements& elements, Refusals& reasons) {
   std::map<std::string, int> out;
-  Refusals reasons;
   std::vector<int> muscles;
   const auto take = [&](int actuator) {
     const XmlElement& element = elements[actuator];
@@ -274,54 +287,46 @@ std::map<std::string, int> actuators_of_joints(const XmlFile& xml, const mjModel
     if (drives_held(model, structure, a)) continue;
     if (is_muscle(model, a)) {
       muscles.push_back(a);
+      out.emplace(driven_joint(model, morphology, a), kRefused);
       continue;
     }
-    try {
-      take(a);
-    } catch (const InputError& error) {
-      reasons.add(error);
-    }
+    reasons.collect([&] { take(a); });
   }
+  check_each_tendon_drives(xml, model, morphology, out, reasons);
   refuse_muscles(muscles, xml, elements, reasons);
-  reasons.throw_if_any();
   return out;
 }
 
 }  // namespace
 
 std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const Structure& structure,
-                               const Morphology& morphology, const Eigen::VectorXd& s) {
+                               const Morphology& morphology, const Eigen::VectorXd& s,
+                               Refusals& reasons) {
   const SectionElements elements(xml, "actuator");
   const std::map<std::string, int> actuator_of =
-      actuators_of_joints(xml, model, structure, morphology, elements);
+      actuators_of_joints(xml, model, structure, morphology, elements, reasons);
   std::vector<Servo> servos;
-  Refusals reasons;
+  const auto add = [&](const std::string& joint, int actuator) {
+    const double arm = home_arm(model, morphology, s, actuator);
+    Servo servo =
+        read_servo(xml, model, actuator, elements[actuator], joint, kFullTorqueError * arm);
+    if (model.actuator_trntype[actuator] == mjTRN_TENDON &&
+        joint_through_tendon(model, actuator) < 0)
+      servo.tendon =
+          name_of(model, mjOBJ_TENDON, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
+    servo.arm = arm;
+    const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
+    servo.joint_damping = model.dof_damping[model.jnt_dofadr[id]];
+    servos.push_back(std::move(servo));
+  };
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const std::string& joint = morphology.links[a + 1].joint.name;
     const auto found = actuator_of.find(joint);
-    if (found == actuator_of.end()) {
-      reasons.add(without_actuator(xml, model, joint));
-      continue;
-    }
-    const int actuator = found->second;
-    const double arm = home_arm(model, morphology, s, actuator);
-    try {
-      servos.push_back(
-          read_servo(xml, model, actuator, elements[actuator], joint, kFullTorqueError * arm));
-    } catch (const InputError& error) {
-      reasons.add(error);
-      continue;
-    }
-    if (model.actuator_trntype[actuator] == mjTRN_TENDON &&
-        joint_through_tendon(model, actuator) < 0)
-      servos.back().tendon =
-          name_of(model, mjOBJ_TENDON, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
-    servos.back().arm = arm;
-    const int id = mj_name2id(&model, mjOBJ_JOINT, joint.c_str());
-    servos.back().joint_damping = model.dof_damping[model.jnt_dofadr[id]];
+    if (found == actuator_of.end())
+      reasons.add(without_actuator(xml, model, morphology, a));
+    else if (found->second != kRefused)
+      reasons.collect([&] { add(joint, found->second); });
   }
-  reasons.throw_if_any();
-  check_each_tendon_drives(xml, morphology, servos);
   return servos;
 }
 

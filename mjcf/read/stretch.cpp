@@ -13,6 +13,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -205,25 +206,34 @@ void check_stretchable(const XmlFile& xml, const mjModel& model, const XmlElemen
 }
 
 StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
-                             const std::filesystem::path& file) {
+                             const std::filesystem::path& file, Refusals& reasons) {
   StretchMap stretches;
-  for (int k = 0; k < space.size(); ++k) {
-    if (space.parameters[k].kind != ParameterKind::length) continue;
-    for (const Binding::Target& target : bindings[k].targets) {
-      std::vector<Stretch>& own = stretches[target.name];
-      for (const Stretch& other : own)
-        if (std::abs(other.direction.dot(target.direction)) > 1e-9)
-          throw InputError(
-              file.string(), target.line,
-              fmt::format("text 'legwright/{}'", space.parameters[k].name),
-              fmt::format(
-                  "body '{}' is already stretched along nearly this direction by 'legwright/{}'; "
-                  "use perpendicular directions",
-                  target.name, space.parameters[other.parameter].name));
-      own.push_back({k, target.direction, space.parameters[k].initial, target.still});
-    }
-  }
+  const auto add = [&](int k, const Binding::Target& target) {
+    std::vector<Stretch>& own = stretches[target.name];
+    for (const Stretch& other : own)
+      if (std::abs(other.direction.dot(target.direction)) > 1e-9)
+        throw InputError(
+            file.string(), target.line,
+            fmt::format("text 'legwright/{}'", space.parameters[k].name),
+            fmt::format(
+                "body '{}' is already stretched along nearly this direction by 'legwright/{}'; "
+                "use perpendicular directions",
+                target.name, space.parameters[other.parameter].name));
+    own.push_back({k, target.direction, space.parameters[k].initial, target.still});
+  };
+  for (int k = 0; k < space.size(); ++k)
+    if (space.parameters[k].kind == ParameterKind::length)
+      for (const Binding::Target& target : bindings[k].targets)
+        reasons.collect([&] { add(k, target); });
   return stretches;
+}
+
+StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
+                             const std::filesystem::path& file) {
+  Refusals reasons;
+  StretchMap out = collect_stretches(space, bindings, file, reasons);
+  reasons.throw_if_any();
+  return out;
 }
 
 }  // namespace legwright

@@ -6,6 +6,7 @@
 #include "mjcf/read/robot_model.hpp"
 #include "mjcf/read/structure.hpp"
 #include "mjcf/shape/affine.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 
 namespace legwright {
@@ -36,8 +37,12 @@ struct BodyInertia {
 };
 BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int body);
 
-/// All stretches of a robot by body. Throws InputError where two of one body are not perpendicular.
+/// All stretches of a robot by body. Throws InputError with all that are not perpendicular to
+/// others of their body.
 StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
                              const std::filesystem::path& file);
+/// The same; such stretches are left out, each with a reason.
+StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
+                             const std::filesystem::path& file, Refusals& reasons);
 
 }  // namespace legwright

@@ -79,7 +79,7 @@ class MorphologyBuilder {
                            foot.radius, sole_of(foot, at.rotation)});
     }
     for (const TendonSpan& span : tendons) add_linear_actuator(span);
-    out_.leg_length = stretched_limb(out_, 0, initial_);
+    if (!out_.feet.empty()) out_.leg_length = stretched_limb(out_, 0, initial_);
     add_capsules(xml, elements);
     return std::move(out_);
   }

@@ -17,10 +17,10 @@ namespace legwright {
 
 /// What a design moves besides axes.
 struct MovedParts {
-  const StretchMap& stretches;
-  const PlaceMap& places;
-  const PrintedMap& printed;
-  const std::vector<TurningPart>& turning;
+  StretchMap stretches;
+  PlaceMap places;
+  PrintedMap printed;
+  std::vector<TurningPart> turning;
 };
 
 /// Builds the kinematic tree of the compiled robot with the stretches, turns and places of its

@@ -130,13 +130,14 @@ std::string fault_of_name(const std::string& name) {
 
 int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
   if (model.nbody > 256) {
-    reasons.add(InputError(xml.file.string(), 0, "", "more than 256 bodies; this is no robot"));
+    reasons.add(xml.error(xml.root(), "more than 256 bodies; this is no robot"));
     return -1;
   }
   const int trunk = trunk_of(model);
   if (trunk < 0) {
-    reasons.add(InputError(xml.file.string(), 0, "worldbody",
-                           "no body has a free joint; add <freejoint/> to the trunk"));
+    const XmlElement* const world = xml.root().FirstChildElement("worldbody");
+    reasons.add(xml.error(world ? *world : xml.root(),
+                          "no body has a free joint; add <freejoint/> to the trunk"));
     return -1;
   }
   const std::string name = name_of(model, mjOBJ_BODY, trunk);
@@ -150,9 +151,10 @@ int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons) {
                     name)));
   }
   if (name.empty())
-    reasons.add(InputError(
-        xml.file.string(), 0, "body with the free joint",
-        "has no name; give it one, like name=\"trunk\", as legwright init --write does"));
+    reasons.add(error_at(
+        xml, model, mjOBJ_BODY, trunk,
+        "has the free joint but no name; give it one, like name=\"trunk\", as legwright init "
+        "--write does"));
   return trunk;
 }
 
@@ -177,16 +179,22 @@ void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Ref
   check_keyframes(xml, model, reasons);
 }
 
-void check_leg_joint(const XmlFile& xml, const mjModel& model, int j, Refusals& reasons) {
+bool check_leg_joint(const XmlFile& xml, const mjModel& model, int j, Refusals& reasons) {
   const auto fault = [&](const std::string& message) {
     reasons.add(error_at(xml, model, mjOBJ_JOINT, j, message));
+    return false;
   };
   if (model.jnt_type[j] == mjJNT_SLIDE)
     return fault("slide joints are not supported in limbs; use a hinge");
   if (model.jnt_type[j] == mjJNT_BALL)
     return fault("ball joints are not supported in limbs; use three hinges in one body");
-  if (const std::string why = fault_of_name(name_of(model, mjOBJ_JOINT, j)); !why.empty())
-    fault(why);
+  const std::string name = name_of(model, mjOBJ_JOINT, j);
+  if (name.empty())
+    return fault(
+        "has no name, by which trajectories and its actuator call it; give it one, and an "
+        "actuator");
+  if (const std::string why = fault_of_name(name); !why.empty()) fault(why);
+  return true;
 }
 
 }  // namespace legwright

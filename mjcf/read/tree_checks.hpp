@@ -15,8 +15,9 @@ int find_trunk(const XmlFile& xml, const mjModel& model, Refusals& reasons);
 /// that collide but belong to something else, bodies moved from outside.
 void check_surroundings(const XmlFile& xml, const mjModel& model, int trunk, Refusals& reasons);
 
-/// What stands against a joint that moves in the plan: type, name.
-void check_leg_joint(const XmlFile& xml, const mjModel& model, int joint, Refusals& reasons);
+/// What stands against a joint that moves in the plan: type, name. @return false where what follows
+/// cannot be asked of it
+bool check_leg_joint(const XmlFile& xml, const mjModel& model, int joint, Refusals& reasons);
 
 /// What a name in a trajectory may not hold.
 inline constexpr const char* kNoNameSigns = " \t\r\n;,|~^";

@@ -11,6 +11,7 @@
 #include "mjcf/read/moving_parts.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -101,12 +102,14 @@ class TurningPartReader {
 }  // namespace
 
 std::vector<TurningPart> read_turning_parts(const XmlFile& xml, const mjModel& model,
-                                            const Structure& structure,
-                                            const StretchMap& stretches) {
+                                            const Structure& structure, const StretchMap& stretches,
+                                            Refusals& reasons) {
   std::vector<TurningPart> out;
   for (const XmlElement* const text : custom_elements(xml, "text", kTurnsPrefix))
-    if (auto part = TurningPartReader(xml, model, structure, stretches, *text).run())
-      out.push_back(std::move(*part));
+    reasons.collect([&] {
+      if (auto part = TurningPartReader(xml, model, structure, stretches, *text).run())
+        out.push_back(std::move(*part));
+    });
   return out;
 }
 

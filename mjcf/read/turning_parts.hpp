@@ -11,6 +11,7 @@
 
 #include "mjcf/read/structure.hpp"
 #include "mjcf/shape/affine.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/xml.hpp"
 #include "optimizer/design/morphology.hpp"
 
@@ -26,11 +27,11 @@ struct TurningPart {
 };
 
 /// Reads <text name="legwright_turns/BODY" data="joint JOINT"/>; those of joints that are held are
-/// passed over. Throws InputError for a body that has a joint, bodies in it, a foot, a site or a
-/// stretch, is in a frame, or does not stand at the joint beside the body that this alone moves.
+/// passed over. A body that has a joint, bodies in it, a foot, a site or a stretch, is in a frame,
+/// or does not stand at the joint beside the body that this alone moves is left out, with a reason.
 std::vector<TurningPart> read_turning_parts(const XmlFile& xml, const mjModel& model,
-                                            const Structure& structure,
-                                            const StretchMap& stretches);
+                                            const Structure& structure, const StretchMap& stretches,
+                                            Refusals& reasons);
 
 /// The one of that body; nullptr where there is none.
 const TurningPart* find_turning_part(const std::vector<TurningPart>& parts, std::string_view body);

@@ -4,13 +4,14 @@
 #include <filesystem>
 
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/safe_path.hpp"
 
 namespace legwright {
 namespace {
 
 std::string name_of_mesh(const XmlElement& mesh) {
   if (has_attribute(mesh, "name")) return std::string(attribute(mesh, "name"));
-  return std::filesystem::path(std::string(attribute(mesh, "file"))).stem().string();
+  return std::filesystem::path(slashed(std::string(attribute(mesh, "file")))).stem().string();
 }
 
 MeshAsset read_mesh(const XmlFile& xml, const XmlElement& element) {

@@ -25,6 +25,10 @@ std::string angle_text(double angle, bool in_degrees) {
   return fmt::format("{:.4g} {}", in_unit(angle, in_degrees), unit(in_degrees));
 }
 
+std::string rough_angle_text(double angle, bool in_degrees) {
+  return fmt::format("{:.2g} {}", in_unit(angle, in_degrees), unit(in_degrees));
+}
+
 std::string angle_range_text(double lower, double upper, bool in_degrees) {
   return fmt::format("{:.3g} to {:.3g} {}", in_unit(lower, in_degrees), in_unit(upper, in_degrees),
                      unit(in_degrees));

@@ -13,6 +13,8 @@ bool angles_in_degrees(const XmlFile& xml);
 
 /// An angle [rad] as the file has it: "-160 degrees", "-2.79 rad".
 std::string angle_text(double angle, bool in_degrees);
+/// The same in two digits, for estimates.
+std::string rough_angle_text(double angle, bool in_degrees);
 /// A range likewise: "-160 to -2 degrees".
 std::string angle_range_text(double lower, double upper, bool in_degrees);
 

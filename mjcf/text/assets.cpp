@@ -74,7 +74,9 @@ std::vector<AssetReference> asset_references(const XmlFile& xml) {
       if (std::string_view(a->Name()).substr(0, 4) != "file" || a->Value()[0] == '\0') continue;
       std::string path = a->Value();
       if (folders.strips) path.erase(0, path.find_last_of("/\\") + 1);
-      if (!folder.empty() && !fs::path(path).is_absolute()) path.insert(0, folder + "/");
+      if (!folder.empty() && !fs::path(path).is_absolute() && !is_windows_root(path))
+        path.insert(0, folder + "/");
+      path = slashed(std::move(path));
       const bool in_folder = !folder.empty() || folders.strips;
       out.push_back({&element, a->Name(), is_asset, std::move(path), in_folder});
     }
@@ -88,7 +90,7 @@ std::string named_from_main_folder(const XmlFile& xml, const fs::path& folder,
   TextEdits edits(xml);
   for (const AssetReference& reference : asset_references(xml)) {
     const fs::path own = beside(xml.tag(*reference.element).begin);
-    const fs::path words = std::string(attribute(*reference.element, reference.attribute));
+    const fs::path words = slashed(std::string(attribute(*reference.element, reference.attribute)));
     if (own.empty() || words.is_absolute() ||
         !find_file(folder, reference.path, kMostBytes, reach).missing)
       continue;

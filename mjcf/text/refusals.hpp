@@ -14,10 +14,24 @@ namespace legwright {
 /// with its place and cure.
 class Refusals {
  public:
+  /// @param reason may be several at once
   void add(const InputError& reason) {
+    for (const InputError& each : reason.reasons()) add(each);
+    if (!reason.reasons().empty()) return;
     for (const InputError& known : reasons_)
       if (std::string_view(known.what()) == reason.what()) return;
     reasons_.push_back(reason);
+  }
+  /// Does some work, whose refusal becomes a reason. @return whether it was done
+  template <class Work>
+  bool collect(const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const InputError& fault) {
+      add(fault);
+      return false;
+    }
   }
   bool empty() const { return reasons_.empty(); }
   const std::vector<InputError>& all() const { return reasons_; }

@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -44,10 +46,11 @@ fs::path without_steps(const fs::path& folder) {
 /// What is wrong with the words of a path, before any disk is asked.
 std::string fault_of_words(const std::string& reference) {
   if (reference.empty()) return "names no file; write the file's path";
-  if (reference.find('\\') != std::string::npos)
-    return "has a backslash in its path; write / between folders";
-  if (reference.find(':') != std::string::npos)
-    return fmt::format("has a colon in its path, which names places elsewhere; {}", kCopyIt);
+  if (is_windows_root(reference))
+    return fmt::format("is a path of a Windows computer, which begins at a drive or its root; {}",
+                       kCopyIt);
+  if (reference.find("://") != std::string::npos)
+    return fmt::format("has :// in its path, which names places elsewhere; {}", kCopyIt);
   for (const char c : reference)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       return "has a control character in its path; rename the file";
@@ -81,6 +84,18 @@ class Descriptor {
 
 }  // namespace
 
+bool is_windows_root(std::string_view reference) {
+  const bool drive = reference.size() > 2 && reference[1] == ':' &&
+                     std::isalpha(static_cast<unsigned char>(reference[0])) &&
+                     (reference[2] == '\\' || reference[2] == '/');
+  return drive || reference.starts_with('\\');
+}
+
+std::string slashed(std::string reference) {
+  if (!is_windows_root(reference)) std::replace(reference.begin(), reference.end(), '\\', '/');
+  return reference;
+}
+
 fs::path path_below(const fs::path& reference) {
   if (reference.is_absolute()) return {};
   const fs::path normal = reference.lexically_normal();
@@ -106,7 +121,7 @@ FoundFile find_file(const fs::path& folder, const std::string& reference, std::u
   found.fault = fault_of_words(reference);
   if (!found.fault.empty()) return found;
   const fs::path home = without_steps(folder);
-  found.path = named_path(folder, reference);
+  found.path = named_path(folder, slashed(reference));
   found.source = source_of(folder, found.path);
   found.fault = reach.fault_of_place((home / found.path).lexically_normal(), home);
   if (!found.fault.empty()) return found;

@@ -19,6 +19,13 @@ struct FoundFile {
   bool missing = false;  // the fault is that nothing is there
 };
 
+/// Whether a path is of another computer: with a drive ("C:\legs\leg.stl") or a backslash in front,
+/// which MuJoCo takes for the root.
+bool is_windows_root(std::string_view reference);
+/// The path of a model as MuJoCo reads it, with slashes between folders: backslashes are such, too,
+/// but in front.
+std::string slashed(std::string reference);
+
 /// Looks up a file by the path that stands in a model, as MuJoCo does: from the model's folder,
 /// through `..` and symbolic links, or by an absolute path. Only regular files will do. Nothing
 /// else is opened, so that a pipe or a device cannot block.

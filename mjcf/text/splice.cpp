@@ -78,7 +78,7 @@ class Splicer {
             fmt::format("attribute {}: <include> has no attribute but file; remove it", a->Name()));
     if (element.FirstChildElement())
       throw xml.error(element, "holds elements; an <include> names a file and holds nothing");
-    const std::string reference(attribute(element, "file"));
+    const std::string reference = slashed(std::string(attribute(element, "file")));
     const FoundFile found = look_up(part, reference);
     if (!found.fault.empty())
       throw xml.error(element, fmt::format("'{}' {}", reference, found.fault));

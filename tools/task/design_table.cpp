@@ -6,6 +6,7 @@
 
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/nearest_word.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -113,7 +114,9 @@ DesignSpace restricted(const DesignSpace& space, const DesignTable& table, const
                    fmt::format("is {}; expected a value within the robot's bounds, {} to {}", value,
                                robots.lower, robots.upper));
   }
-  problems.throw_if_any();
+  Refusals reasons;
+  for (const InputError& problem : problems.all()) reasons.add(problem);
+  reasons.throw_if_any();
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "mjcf/text/nearest_word.hpp"
+#include "mjcf/text/refusals.hpp"
 
 namespace legwright {
 namespace {
@@ -19,14 +20,17 @@ constexpr const char* kPlaces = "front to hind, left before right";
 std::vector<double> by_place(const TaskFile& file, const std::string& key,
                              const std::map<std::string, double>& by_name,
                              const std::vector<std::string>& names, const std::vector<int>& order) {
+  Refusals reasons;
   for (const auto& [name, value] : by_name)
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       const std::string guess = nearest(name, names);
-      file.refuse(fmt::format("{}.{}", key, name),
-                  fmt::format("the robot has no such foot; {}its feet are {}",
-                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                              fmt::join(names, ", ")));
+      reasons.add(
+          file.refusal(fmt::format("{}.{}", key, name),
+                       fmt::format("the robot has no such foot; {}its feet are {}",
+                                   guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                                   fmt::join(names, ", "))));
     }
+  reasons.throw_if_any();
   std::vector<double> values;
   for (int foot : order) {
     const auto found = by_name.find(names[static_cast<std::size_t>(foot)]);

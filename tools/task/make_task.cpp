@@ -12,7 +12,9 @@
 #include "mjcf/propose/odd_joints.hpp"
 #include "mjcf/propose/trunk_axes.hpp"
 #include "mjcf/propose/unlike_sides.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/nearest_word.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "optimizer/design/kinematics.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/motion/initial_guess.hpp"
@@ -58,21 +60,22 @@ int longest_stance(const Gait& gait) {
   return longest;
 }
 
-void check_weights(const TaskFile& file) {
+void check_weights(const TaskFile& file, Refusals& reasons) {
   std::vector<std::string> term_names;
   for (const TermEntry& entry : term_registry()) term_names.emplace_back(entry.name);
   for (const auto& [name, weight] : file.weights) {
     if (std::find(term_names.begin(), term_names.end(), name) != term_names.end()) continue;
     const std::string guess = nearest(name, term_names);
-    file.refuse("weights." + name,
-                guess.empty()
-                    ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
-                    : fmt::format("no term of that name; did you mean '{}'?", guess));
+    reasons.add(file.refusal(
+        "weights." + name,
+        guess.empty()
+            ? fmt::format("no term of that name; there are {}", fmt::join(term_names, ", "))
+            : fmt::format("no term of that name; did you mean '{}'?", guess)));
   }
 }
 
 /// Every name in limits.limb_pairs is that of a link with a joint or of a foot.
-void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
+void check_limb_pairs(const TaskFile& file, const Morphology& morphology, Refusals& reasons) {
   std::vector<std::string> names = foot_names(morphology);
   for (std::size_t l = 1; l < morphology.links.size(); ++l)
     names.push_back(morphology.links[l].name);
@@ -81,36 +84,38 @@ void check_limb_pairs(const TaskFile& file, const Morphology& morphology) {
     for (const std::string& name : {first, second}) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       const std::string guess = nearest(name, names);
-      file.refuse("limits.limb_pairs",
-                  fmt::format("no link or foot is named '{}'; {}there are {}", name,
-                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
-                              fmt::join(names, ", ")));
+      reasons.add(
+          file.refusal("limits.limb_pairs",
+                       fmt::format("no link or foot is named '{}'; {}there are {}", name,
+                                   guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                                   fmt::join(names, ", "))));
     }
 }
 
 /// A way that turns has no slope.
-void check_ground(const TaskFile& file) {
+void check_ground(const TaskFile& file, Refusals& reasons) {
   const bool slope = file.slope_along != 0.0 || file.slope_across != 0.0;
   for (const auto& [key, rate] :
        {std::pair("turn_rate", file.turn_rate), std::pair("aim_turn_rate", file.aim_turn_rate)})
     if (slope && rate != 0.0)
-      file.refuse(
+      reasons.add(file.refusal(
           fmt::format("travel.{}", key),
           fmt::format("is {} rad/s on a slope: a robot that turns meets it from another side each "
                       "cycle, so its gait does not repeat; take out [ground] or {}",
-                      rate, key));
+                      rate, key)));
 }
 
 /// Steps over a height need feet that are lifted higher.
-void check_foot_heights(const TaskFile& file, const Task& task, const Morphology& morphology) {
+void check_foot_heights(const TaskFile& file, const Task& task, const Morphology& morphology,
+                        Refusals& reasons) {
   for (int j = 0; j < morphology.foot_count(); ++j)
     if (target_of(task.foot_heights, j) != nullptr && highest_swing(task, j) < task.step_over)
-      file.refuse(
+      reasons.add(file.refusal(
           "style.foot_heights." + morphology.feet[j].name,
           fmt::format(
               "lifts the foot by {:.3g} m at most while it swings; limits.step_over asks for "
               "steps over {} m. Raise the heights, or lower step_over",
-              highest_swing(task, j), task.step_over));
+              highest_swing(task, j), task.step_over)));
 }
 
 /// Heights over the cycle of which little falls into the swing, by mistake or not.
@@ -142,40 +147,40 @@ void scale_width(const RobotModel& robot, const TaskFile& file, Task& task) {
   }
 }
 
-void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot) {
+void check_reach(const TaskFile& file, const Task& task, const RobotModel& robot,
+                 Refusals& reasons) {
+  const auto refuse = [&](const std::string& key, const std::string& why) {
+    reasons.add(file.refusal(key, why));
+  };
   const StrideBound bound = stride_bound(task, robot);
   if (bound.per_stance > bound.longest)
-    file.refuse(
-        "travel.velocity",
-        fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest "
-                    "stride of this robot "
-                    "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor "
-                    "of {:.2g}, or shorten "
-                    "gait.period or the duty",
-                    bound.per_stance, bound.longest, bound.per_stance / bound.longest));
+    refuse("travel.velocity",
+           fmt::format("out of reach: the body travels {:.3g} m while a foot stands, the longest "
+                       "stride of this robot "
+                       "is {:.3g} m (twice its longest leg at the bounds); slow down by a factor "
+                       "of {:.2g}, or shorten "
+                       "gait.period or the duty",
+                       bound.per_stance, bound.longest, bound.per_stance / bound.longest));
   const double highest = 0.5 * bound.longest;
   const std::optional<double> com_height = highest_com(task);
   if (com_height && *com_height > kMostHeight * highest)
-    file.refuse(
-        "style.com_height",
-        fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
-                    "bounds allow, {:.3g} m; lower it",
-                    *com_height, kMostHeight * highest, kMostHeight, highest));
+    refuse("style.com_height",
+           fmt::format("is {} m; at most {:.3g} m is accepted, {} times the longest leg that the "
+                       "bounds allow, {:.3g} m; lower it",
+                       *com_height, kMostHeight * highest, kMostHeight, highest));
   const int airborne = fewest_airborne(task.gait, task.planted_margin);
   const bool moves = task.velocity.norm() > 0.0 || task.turn_rate != 0.0;
   if (moves && airborne == 0)
-    file.refuse(
-        "gait.knots",
-        fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay "
-                    "planted before and after "
-                    "stance; use more knots, a lower duty or a shorter limits.planted_margin",
-                    task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
+    refuse("gait.knots",
+           fmt::format("no knot is left for the swing: {} knots of {:.3g} s, of which {} stay "
+                       "planted before and after "
+                       "stance; use more knots, a lower duty or a shorter limits.planted_margin",
+                       task.gait.knot_count(), task.gait.time_step(), task.planted_margin));
   const int support = support_range(task.gait).most;
   if (task.min_normal * support >= 1.0)
-    file.refuse(
-        "limits.min_normal",
-        fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
-                    task.min_normal, support, 1.0 / support));
+    refuse("limits.min_normal",
+           fmt::format("is {}; {} feet stand at once, so it must be below {:.3g} of the weight",
+                       task.min_normal, support, 1.0 / support));
 }
 
 }  // namespace
@@ -268,17 +273,18 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
   if (std::string why = weak_motors_text(sag.hardest); !why.empty())
     warnings.push_back(std::move(why));
   else if (sag.soft() && sag.can_be_stiffer())
-    warnings.push_back(
-        fmt::format("soft servos: standing alone bends joint '{}' by {:.2g} rad (kp {:.4g} N "
-                    "m/rad), and a planned gait is not followed well; [servos] kp = {} in the task "
-                    "file plays it stiffer",
-                    sag.joint, sag.angle, sag.kp, sag.stiff_kp()));
+    warnings.push_back(fmt::format(
+        "soft servos: standing alone bends joint '{}' by {} (kp {:.4g} N m/rad), and a "
+        "planned gait is not followed well; [servos] kp = {} in the task file plays it "
+        "stiffer",
+        sag.joint, rough_angle_text(sag.angle, robot.in_degrees), sag.kp, sag.stiff_kp()));
   else if (sag.soft())
     warnings.push_back(fmt::format(
         "weak motors: standing alone takes {:.2g} N m of joint '{}', {:.0f} % of the "
-        "{:.3g} N m that its motor gives, and bends it by {:.2g} rad (kp {:.4g} N "
-        "m/rad); a stronger motor, shorter legs or less weight would help",
-        sag.load, sag.joint, 100.0 * sag.load / sag.limit, sag.limit, sag.angle, sag.kp));
+        "{:.3g} N m that its motor gives, and bends it by {} (kp {:.4g} N m/rad); a stronger "
+        "motor, shorter legs or less weight would help",
+        sag.load, sag.joint, 100.0 * sag.load / sag.limit, sag.limit,
+        rough_angle_text(sag.angle, robot.in_degrees), sag.kp));
   if (std::string stuck = stuck_foot_text(robot); !stuck.empty())
     warnings.push_back(std::move(stuck));
   if (const TwoFeet feet = two_feet(robot, task); !feet.why_it_falls().empty())
@@ -302,17 +308,19 @@ std::vector<std::string> task_warnings(const Task& task, const RobotModel& robot
 Task make_task(const TaskFile& file, const RobotModel& robot) {
   const std::vector<int> order =
       order_as_faced(home_feet(robot.morphology, robot.space.initial()), file.forward);
-  check_weights(file);
-  check_limb_pairs(file, robot.morphology);
-  check_ground(file);
+  const std::vector<std::string> names = foot_names(robot.morphology);
+  Refusals reasons;
+  check_weights(file, reasons);
+  check_limb_pairs(file, robot.morphology, reasons);
+  check_ground(file, reasons);
   Task task = file.margins;
   task.name = file.name;
-  const std::vector<std::string> names = foot_names(robot.morphology);
-  task.gait = make_gait(file, names, order);
+  reasons.collect([&] { task.gait = make_gait(file, names, order); });
+  reasons.collect([&] { apply_style(file, robot, order, task); });
+  reasons.throw_if_any();
   task.velocity = from_facing(file.aim_speed * file.velocity, file.forward);
   task.turn_rate = file.aim_speed * file.turn_rate + file.aim_turn_rate;
   task.up = up_on_slope(task.velocity, file.slope_along, file.slope_across);
-  apply_style(file, robot.morphology, order, task);
   const double leg = standing_leg(robot.morphology, robot.space.initial());
   // By the pattern's duty: rounded to knots, a pace of 0.6 at 24 knots would count as a slow gait.
   task.planted_margin = planted_margin_knots(file.planted_margin, longest_duty(file, names, order),
@@ -325,8 +333,9 @@ Task make_task(const TaskFile& file, const RobotModel& robot) {
     task.com_path = pendulum_path(task, style.footprint, style.com_height);
   }
   if (file.stance_width != 1.0) scale_width(robot, file, task);
-  check_foot_heights(file, task, robot.morphology);
-  check_reach(file, task, robot);
+  check_foot_heights(file, task, robot.morphology, reasons);
+  check_reach(file, task, robot, reasons);
+  reasons.throw_if_any();
   return task;
 }
 

@@ -9,6 +9,7 @@
 #include "mjcf/read/servos.hpp"
 #include "mjcf/scene/surroundings.hpp"
 #include "mjcf/text/input_error.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/design_table.hpp"
 #include "tools/task/facing_warnings.hpp"
@@ -76,10 +77,19 @@ CodesignProblem make_problem(TaskSet set, RobotModel robot) {
   CodesignProblem problem;
   problem.set = std::move(set);
   problem.robot = std::move(robot);
-  problem.robot.space = restricted(problem.robot.space, problem.set.design,
-                                   problem.set.file.string(), problem.set.lines);
-  for (const TaskFile& file : problem.set.tasks) {
-    const Task task = make_task(file, problem.robot);
+  // What the file names that the robot does not have is told in one list.
+  Refusals reasons;
+  reasons.collect([&] {
+    problem.robot.space = restricted(problem.robot.space, problem.set.design,
+                                     problem.set.file.string(), problem.set.lines);
+  });
+  std::vector<Task> tasks;
+  for (const TaskFile& file : problem.set.tasks)
+    reasons.collect([&] { tasks.push_back(make_task(file, problem.robot)); });
+  reasons.throw_if_any();
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    const TaskFile& file = problem.set.tasks[k];
+    const Task& task = tasks[k];
     problem.objectives.push_back(
         std::make_unique<Objective>(make_objective(file, problem.robot, task)));
     if (!problem.set.outer.empty())

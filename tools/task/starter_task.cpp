@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mjcf/propose/facing.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/nearest_word.hpp"
 #include "optimizer/motion/faced_frame.hpp"
@@ -89,9 +90,9 @@ std::string servos_text(const StarterTask& task) {
   std::string why;
   if (sags)
     why = fmt::format(
-        "the file's ({:.4g}) give in by {:.2g} rad when it only stands, too\n{:32}# much to follow "
+        "the file's ({:.4g}) give in by {} when it only stands, too\n{:32}# much to follow "
         "a planned gait",
-        task.sag.kp, task.sag.angle, "");
+        task.sag.kp, rough_angle_text(task.sag.angle, task.in_degrees), "");
   const bool tips = feet.kind == TwoFeet::Kind::flat &&
                     (feet.kp < feet.upright_kp() || feet.kd < feet.upright_kd());
   if (tips && feet.upright_kp() > stiff)
@@ -121,6 +122,7 @@ StarterTask starter_task(const RobotModel& robot, const std::optional<std::strin
     longest = std::max(longest, pattern.duty_of(place));
   const double height = home_stance(robot.morphology, robot.space.initial()).com_height;
   StarterTask task;
+  task.in_degrees = robot.in_degrees;
   task.two_feet = two_feet(robot);
   const bool flat = task.two_feet.kind == TwoFeet::Kind::flat;
   if (flat) {

@@ -22,6 +22,7 @@ struct StarterTask {
   ServoSag sag;                        // of the file's servos; the task plays soft ones stiffer
   TwoFeet two_feet;                    // so it does with ankles of flat feet
   bool slowed = false;                 // to what damping leaves of the motors
+  bool in_degrees = false;             // the robot's file
 };
 
 /// Period in proportion to √(h/g) and speed to √(g h), with the height h of the COM in the home

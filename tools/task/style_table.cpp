@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "mjcf/text/angle_words.hpp"
 #include "mjcf/text/nearest_word.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 
 namespace legwright {
@@ -69,18 +71,22 @@ std::vector<Value> by_robots_names(const TaskFile& file, const std::string& key,
                                    const std::vector<std::string>& names, std::string_view what,
                                    std::string_view all) {
   std::vector<Value> out;
+  Refusals reasons;
   for (const auto& [name, value] : given) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
       const std::string guess = nearest(name, names);
-      file.refuse(fmt::format("{}.{}", key, name),
-                  fmt::format("the robot has no such {}; {}{} {}", what,
-                              guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess), all,
-                              fmt::join(names, ", ")));
+      reasons.add(
+          file.refusal(fmt::format("{}.{}", key, name),
+                       fmt::format("the robot has no such {}; {}{} {}", what,
+                                   guess.empty() ? "" : fmt::format("did you mean '{}'? ", guess),
+                                   all, fmt::join(names, ", "))));
+      continue;
     }
     out.resize(names.size());
     out[static_cast<std::size_t>(found - names.begin())] = value;
   }
+  reasons.throw_if_any();
   return out;
 }
 
@@ -93,18 +99,21 @@ std::vector<std::string> joint_names(const Morphology& morphology) {
 }
 
 /// A joint cannot be asked for an angle that it does not reach.
-void check_joint_angles(const TaskFile& file, const Morphology& morphology) {
-  for (int a = 0; a < morphology.joint_count(); ++a) {
-    const Joint& joint = morphology.links[a + 1].joint;
+void check_joint_angles(const TaskFile& file, const RobotModel& robot, Refusals& reasons) {
+  for (int a = 0; a < robot.morphology.joint_count(); ++a) {
+    const Joint& joint = robot.morphology.links[a + 1].joint;
     const auto found = file.joint_angles.find(joint.name);
     if (found == file.joint_angles.end()) continue;
     for (const double angle : found->second.values)
       if (angle < joint.lower || angle > joint.upper)
-        file.refuse(
+        reasons.add(file.refusal(
             "style.joint_angles." + joint.name,
-            fmt::format("asks for {} rad; the robot's file lets this joint turn from {:.4g} "
-                        "to {:.4g} rad",
-                        angle, joint.lower, joint.upper));
+            fmt::format("asks for {} rad; the robot's file lets this joint turn from {:.4g} to "
+                        "{:.4g} rad{}; write an angle in between, in rad",
+                        angle, joint.lower, joint.upper,
+                        robot.in_degrees
+                            ? fmt::format(" ({})", angle_range_text(joint.lower, joint.upper, true))
+                            : "")));
   }
 }
 
@@ -135,24 +144,33 @@ void read_style(TaskTable in, TaskFile& task) {
   in.finish();
 }
 
-void apply_style(const TaskFile& file, const Morphology& morphology, const std::vector<int>& order,
+void apply_style(const TaskFile& file, const RobotModel& robot, const std::vector<int>& order,
                  Task& task) {
+  const Morphology& morphology = robot.morphology;
   std::vector<std::string> feet;
   for (const Foot& foot : morphology.feet) feet.push_back(foot.name);
   const std::vector<std::string> joints = joint_names(morphology);
   task.com_height = file.com_height;
   task.com_heights = file.com_heights;
   task.com_path = in_trunk(file.com_path, file.forward);
-  task.footprint = footprint_of(file, order);
-  task.foot_targets =
-      by_robots_names(file, "style.foot_targets", file.foot_targets, feet, "foot", "its feet are");
+  Refusals reasons;
+  reasons.collect([&] { task.footprint = footprint_of(file, order); });
+  reasons.collect([&] {
+    task.foot_targets = by_robots_names(file, "style.foot_targets", file.foot_targets, feet, "foot",
+                                        "its feet are");
+  });
   for (std::vector<Eigen::Vector2d>& places : task.foot_targets)
     places = in_trunk(std::move(places), file.forward);
-  task.foot_heights =
-      by_robots_names(file, "style.foot_heights", file.foot_heights, feet, "foot", "its feet are");
-  task.joint_angles = by_robots_names(file, "style.joint_angles", file.joint_angles, joints,
-                                      "moving joint", "its joints are");
-  check_joint_angles(file, morphology);
+  reasons.collect([&] {
+    task.foot_heights = by_robots_names(file, "style.foot_heights", file.foot_heights, feet, "foot",
+                                        "its feet are");
+  });
+  reasons.collect([&] {
+    task.joint_angles = by_robots_names(file, "style.joint_angles", file.joint_angles, joints,
+                                        "moving joint", "its joints are");
+  });
+  check_joint_angles(file, robot, reasons);
+  reasons.throw_if_any();
 }
 
 double highest_swing(const Task& task, int foot) {

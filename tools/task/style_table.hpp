@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mjcf/read/robot_model.hpp"
 #include "optimizer/design/morphology.hpp"
 #include "optimizer/motion/task.hpp"
 #include "tools/task/task_keys.hpp"
@@ -18,7 +19,7 @@ void read_style(TaskTable in, TaskFile& task);
 /// Puts the file's style targets into the task, feet and joints in the robot's order. Throws
 /// InputError, with file and line of the key, where they do not fit the robot's feet and joints.
 /// @param order footfall_order() of the robot
-void apply_style(const TaskFile& file, const Morphology& morphology, const std::vector<int>& order,
+void apply_style(const TaskFile& file, const RobotModel& robot, const std::vector<int>& order,
                  Task& task);
 
 /// The greatest height that the task wants a foot to have while it swings, of a foot that has a

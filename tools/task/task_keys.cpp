@@ -20,8 +20,12 @@ int TaskFile::line(const std::string& key) const { return line_in(lines, key); }
 
 int TaskSet::line(const std::string& key) const { return line_in(lines, key); }
 
+InputError TaskFile::refusal(const std::string& key, const std::string& message) const {
+  return InputError(file.string(), line(key), key, message);
+}
+
 void TaskFile::refuse(const std::string& key, const std::string& message) const {
-  throw InputError(file.string(), line(key), key, message);
+  throw refusal(key, message);
 }
 
 }  // namespace legwright

@@ -59,6 +59,8 @@ struct TaskFile {
   std::map<std::string, int> lines;  // of each key that is there, by its path: "gait.period"
   int line(const std::string& key) const;
   /// Throws InputError with file and line of the key.
+  /// An error at the key's line.
+  InputError refusal(const std::string& key, const std::string& message) const;
   [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
 };
 

@@ -69,19 +69,25 @@ std::string range_text(const Range& range, std::string_view what) {
 }
 
 void Problems::add(int line_number, const std::string& key, const std::string& message) {
-  by_line_.emplace(line_number, InputError(file_, line_number, key, message).what());
+  by_line_.emplace(line_number, InputError(file_, line_number, key, message));
 }
 
 void Problems::add_missing(int line_number, const std::string& key, const std::string& message) {
-  missing_.emplace(line_number, InputError(file_, line_number, key, message).what());
+  missing_.emplace(line_number, InputError(file_, line_number, key, message));
 }
 
 void Problems::throw_if_any() const {
   if (by_line_.empty() && missing_.empty()) return;
   std::string text;
-  for (const auto* list : {&by_line_, &missing_})
-    for (const auto& [number, message] : *list) text += (text.empty() ? "" : "\n") + message;
+  for (const InputError& problem : all()) text.append(text.empty() ? "" : "\n") += problem.what();
   throw InputError(reference_.empty() ? text : fmt::format("{} ({})", text, reference_));
+}
+
+std::vector<InputError> Problems::all() const {
+  std::vector<InputError> out;
+  for (const auto* list : {&by_line_, &missing_})
+    for (const auto& [line, problem] : *list) out.push_back(problem);
+  return out;
 }
 
 TableReader::TableReader(const toml::table* table, std::string prefix, Problems& problems,

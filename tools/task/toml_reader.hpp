@@ -9,6 +9,7 @@
 
 #include <toml++/toml.h>
 
+#include "mjcf/text/input_error.hpp"
 #include "optimizer/motion/cycle_target.hpp"
 
 namespace legwright {
@@ -26,10 +27,12 @@ class Problems {
   /// Throws InputError with one line per problem, in the order of the file, if there is any. Keys
   /// that are missing come last: one that was misspelt is told before the one that it was to be.
   void throw_if_any() const;
+  /// The same, each by itself.
+  std::vector<InputError> all() const;
 
  private:
   std::string file_, reference_;
-  std::multimap<int, std::string> by_line_, missing_;
+  std::multimap<int, InputError> by_line_, missing_;
 };
 
 /// The numbers that a key accepts, and how to say so.

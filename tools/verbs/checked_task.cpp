@@ -9,6 +9,7 @@
 
 #include "mjcf/read/foot_words.hpp"
 #include "mjcf/read/moving_parts.hpp"
+#include "mjcf/text/angle_words.hpp"
 #include "optimizer/motion/faced_frame.hpp"
 #include "optimizer/terms/registry.hpp"
 #include "tools/task/servo_sag.hpp"
@@ -155,9 +156,9 @@ std::string demands_text(const CheckedTask& found) {
                     sag.hardest.load, sag.hardest.joint, sag.hardest.limit);
   else if (!sag.joint.empty())
     text += fmt::format(
-        "servos  {}standing bends joint '{}' the most, by {:.2g} rad at kp {:.4g} N m/rad\n",
+        "servos  {}standing bends joint '{}' the most, by {} at kp {:.4g} N m/rad\n",
         task.servo_kp ? fmt::format("kp at least {} N m/rad for this task; ", *task.servo_kp) : "",
-        sag.joint, sag.angle, sag.kp);
+        sag.joint, rough_angle_text(sag.angle, found.robot.in_degrees), sag.kp);
   if (task.step_over > 0.0)
     text += fmt::format("step    over {:.3g} mm; swings are planned {:.3g} mm high\n",
                         1e3 * task.step_over, 1e3 * task.swing_height.value_or(0.0));

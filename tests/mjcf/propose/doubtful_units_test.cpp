@@ -48,6 +48,16 @@ TEST(DoubtfulUnits, RangesOfManyTurnsAreTold) {
       << found[0];
 }
 
+TEST(DoubtfulUnits, RangesOfFilesInDegreesAreToldInDegrees) {
+  RobotModel robot = dog("range", 57.3);
+  robot.in_degrees = true;
+  const auto found = doubts(robot);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("goes to 5253 degrees, 15 turns: no leg turns so far"), std::string::npos)
+      << found[0];
+  EXPECT_EQ(found[0].find("rad"), std::string::npos) << found[0];
+}
+
 TEST(DoubtfulUnits, MassesInGramsAreTold) {
   const auto found = doubts(dog("mass", 1000.0));
   ASSERT_EQ(found.size(), 1u);

@@ -63,6 +63,22 @@ TEST(Refusals, FaultsOfAllKindsAreToldInOneList) {
     EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
 }
 
+/// Of what has no name, and where MuJoCo tells none itself.
+TEST(Refusals, HaveALineWhereTheElementIsKnown) {
+  const std::string good = test::hopper_with("<geom name=\"tip\" size=\"0.02\" pos=\"0 0 -0.2\"/>");
+  const auto line_of = [](const std::string& told) {
+    return std::string(told).substr(0, told.find(": "));
+  };
+  EXPECT_NE(
+      line_of(error_message(test::with(good, "<body name=\"thigh\">", "<body gravcomp=\"1\">"))),
+      "robot.xml");
+  EXPECT_NE(line_of(error_message(test::with(good, "<joint name=\"knee\"", "<joint"))),
+            "robot.xml");
+  EXPECT_NE(line_of(error_message(test::with(good, "qpos=\"0 0 0.5", "qpos=\"0 0 0 0.5"))),
+            "robot.xml");
+  EXPECT_NE(line_of(error_message(test::with(good, "name=\"trunk\"", ""))), "robot.xml");
+}
+
 TEST(Refusals, AllActuatorsThatAreNoServosAreToldAtOnceMusclesAsOne) {
   std::string xml = test::with(test::named_robot("puppy"), "<freejoint name=\"root\"/>",
                                "<freejoint name=\"root\"/><site name=\"eye\"/>");
@@ -75,9 +91,10 @@ TEST(Refusals, AllActuatorsThatAreNoServosAreToldAtOnceMusclesAsOne) {
   replaced("FL_knee", "<muscle joint=\"FL_knee\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>");
   replaced("FL_ankle", "<motor site=\"eye\"/><position joint=\"FR_hip\" kp=\"1\"/>");
   const std::string all = error_message(xml);
-  for (const char* part : {"is a muscle, and so are 1 more", "drives no hinge", "second actuator"})
+  for (const char* part : {"is a muscle, and so are 1 more", "drives no hinge", "second actuator",
+                           "'FL_ankle': has no actuator"})
     EXPECT_TRUE(holds(all, part)) << part << " not in:\n" << all;
-  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2) << all;
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 3) << all;
 }
 
 TEST(Refusals, MeshesInMillimetresAreToldOnce) {

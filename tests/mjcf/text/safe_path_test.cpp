@@ -57,6 +57,34 @@ TEST_F(SafePath, FilesElsewhereAreFoundAsMujocoFindsThem) {
   EXPECT_EQ(find_file("a/b", "../../../x.xml", 1000).source, "../x.xml");
 }
 
+/// As programs of Windows write them, and MuJoCo reads them here: in assets, folders and includes,
+/// also where they are gathered for a run.
+TEST_F(SafePath, BackslashesStandBetweenFolders) {
+  for (const char* reference : {"parts\\leg.xml", ".\\parts\\leg.xml", "no\\..\\parts\\leg.xml"})
+    EXPECT_EQ(find_file(home_, reference, 1000).path, "parts/leg.xml") << reference;
+  put(home_ / "a:b.stl", test::tetrahedron_stl(0.1f));
+  EXPECT_EQ(find_file(home_, "a:b.stl", 1000).path, "a:b.stl") << "a name, and no drive";
+  EXPECT_TRUE(has(fault("..\\outside.xml", confined_), "out of reach"));
+  put(home_ / "meshes/fine/leg.stl", test::tetrahedron_stl(0.1f));
+  put(home_ / "parts/inc.xml",
+      "<mujoco><worldbody><body name=\"trunk\"><freejoint/><geom type=\"mesh\" mesh=\"leg\"/>"
+      "</body></worldbody></mujoco>");
+  for (const std::string named : {"file=\"meshes\\fine\\leg.stl\"/>",
+                                  "file=\"fine\\leg.stl\"/></asset><compiler "
+                                  "meshdir=\"..\\home\\meshes\"/><asset>"}) {
+    const std::string text =
+        "<mujoco><asset><mesh " + named + "</asset><include file=\"parts\\inc.xml\"/></mujoco>";
+    put(home_ / "robot.xml", text);
+    const RobotFiles files = RobotFiles::read(home_ / "robot.xml");
+    ASSERT_EQ(files.assets().size(), 1u);
+    EXPECT_EQ(files.assets().front().path, "meshes/fine/leg.stl");
+    EXPECT_EQ(compile_mjcf(files.text(), files.file())->nmesh, 1) << "as MuJoCo does";
+    const RobotFiles gathered = files.gathered();
+    EXPECT_EQ(gathered.assets().front().path, "meshes/fine/leg.stl") << gathered.text();
+    EXPECT_EQ(compile_mjcf(gathered.text(), gathered.file())->nmesh, 1);
+  }
+}
+
 /// As archives of repositories have them.
 TEST_F(SafePath, PointersOfGitLfsAreNotTheFile) {
   const std::string head = "version https://git-lfs.github.com/spec/v1\n";
@@ -67,9 +95,9 @@ TEST_F(SafePath, PointersOfGitLfsAreNotTheFile) {
 }
 
 TEST_F(SafePath, WordsThatAreNoPathAreRefused) {
-  EXPECT_TRUE(has(fault("parts\\leg.xml"), "write / between folders"));
-  EXPECT_TRUE(has(fault("C:/leg.xml"), "colon"));
-  EXPECT_TRUE(has(fault("http://leg.xml"), "colon"));
+  for (const char* windows : {"C:/leg.xml", "C:\\parts\\leg.xml", "\\parts\\leg.xml"})
+    EXPECT_TRUE(has(fault(windows), "a path of a Windows computer")) << windows;
+  EXPECT_TRUE(has(fault("http://leg.xml"), "names places elsewhere"));
   EXPECT_TRUE(has(fault("leg\n.xml"), "control character"));
   EXPECT_TRUE(has(fault(""), "names no file"));
   EXPECT_TRUE(has(fault("."), "is a folder"));
