@@ -23,7 +23,8 @@ constexpr double kDeep = 1e-6;           // [m]: less is rounding
 constexpr double kOverlap = 1e-4;        // [m]: less does not push a robot
 constexpr std::size_t kMostListed = 4;   // of them
 constexpr std::size_t kMostBetween = 3;  // hinges of a limb between two links
-constexpr double kUnlimited = 1.0;       // [rad] each way, of a hinge without a range
+constexpr const char* kModule = "module '";
+constexpr double kUnlimited = 1.0;  // [rad] each way, of a hinge without a range
 
 using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
 
@@ -161,6 +162,21 @@ bool overlap_everywhere(const mjModel& model, const std::filesystem::path& file,
   return all;
 }
 
+/// Modules of a robot's assembly that stand inside each other, whether MuJoCo collides them or not,
+/// and did not before.
+std::vector<HomeTouch> new_module_touches(const mjModel& before, const mjModel& after,
+                                          const std::filesystem::path& file) {
+  std::set<std::pair<std::string, std::string>> then;
+  for (const ModuleOverlap& each : module_overlaps(before, file))
+    then.emplace(each.first, each.second);
+  std::vector<HomeTouch> out;
+  for (const ModuleOverlap& each : module_overlaps(after, file))
+    if (then.count({each.first, each.second}) == 0)
+      out.push_back({fmt::format("{}{}'", kModule, each.first),
+                     fmt::format("{}{}'", kModule, each.second), each.depth});
+  return out;
+}
+
 ModelPointer compiled(const std::filesystem::path& file) {
   const RobotFiles files = RobotFiles::read(file);
   return files.at_their_lines([&] { return compile_mjcf(files.text(), files.file()); });
@@ -171,10 +187,14 @@ ModelPointer compiled(const std::filesystem::path& file) {
 std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& after,
                                         const std::filesystem::path& file) {
   const Depths then = home_depths(before, file), now = home_depths(after, file);
-  std::vector<HomeTouch> out;
-  for (const auto& [geoms, depth] : now)
-    if (then.count(geoms) == 0)
+  const std::set<int> of_modules = geoms_of_modules(after);
+  std::vector<HomeTouch> out = new_module_touches(before, after, file);
+  for (const auto& [geoms, depth] : now) {
+    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
+                         of_modules.count(geoms.second) > 0;
+    if (then.count(geoms) == 0 && !is_told)
       out.push_back({describe_geom(after, geoms.first), describe_geom(after, geoms.second), depth});
+  }
   std::stable_sort(out.begin(), out.end(),
                    [](const HomeTouch& a, const HomeTouch& b) { return a.depth > b.depth; });
   return out;
@@ -265,10 +285,14 @@ std::string describe(const std::vector<HomeTouch>& touches) {
   for (const HomeTouch& touch : touches)
     pairs.push_back(
         fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
+  const bool of_modules = std::any_of(touches.begin(), touches.end(), [](const HomeTouch& touch) {
+    return touch.first.starts_with(kModule);
+  });
   return fmt::format(
       "in its home pose the designed body touches itself where the initial one does not: {}; "
-      "narrow the bounds of what brought them together ([design.bounds] of the task)",
-      listed(pairs, kMostListed, "; "));
+      "narrow the bounds of what brought them together ([design.bounds] of the task{})",
+      listed(pairs, kMostListed, "; "),
+      of_modules ? "; [print] in its assembly bounds links so that modules keep clear" : "");
 }
 
 }  // namespace legwright

@@ -12,15 +12,16 @@
 namespace legwright {
 
 /// Two geoms of a robot that are inside each other in its home pose, as MuJoCo's collision
-/// detection finds them.
+/// detection finds them, or two modules of its assembly.
 struct HomeTouch {
-  std::string first, second;  // "geom 'knee' of 'FL_shank'", "a capsule of 'FL_shank'"
+  std::string first, second;  // "geom 'knee' of 'FL_shank'", "a capsule of 'FL_shank'",
+                              // "module 'FL_knee_servo'"
   double depth = 0.0;         // [m]
 };
 
 /// Touches of a design that the robot it comes from does not have: knees that were turned inwards,
-/// hips that came too close. The deepest first. Both models are of one file, so that geoms have the
-/// same ids.
+/// hips that came too close, servos in each other. The deepest first. Both models are of one file,
+/// so that geoms have the same ids.
 /// @param file for messages; throws InputError there where the engine fails
 std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& after,
                                         const std::filesystem::path& file);

@@ -88,7 +88,8 @@ class AssemblyReader {
     const std::string guess = nearest(name, names);
     refuse(in, key,
            fmt::format("names \"{}\", which is not in the library; {}", name,
-                       guess.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                       guess.empty() ? fmt::format("there are {}; --library DIR reads others",
+                                                   fmt::join(names, ", "))
                                      : fmt::format("did you mean \"{}\"?", guess)));
   }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "mjcf/propose/home_touches.hpp"
 #include "optimizer/base/stopwatch.hpp"
 #include "tools/choose/tightened_text.hpp"
 #include "tools/files/licence.hpp"
@@ -71,6 +72,16 @@ std::vector<EngineWarningRecord> engine_warnings(
   return found;
 }
 
+/// What of the result is inside each other in its home pose that was not in the robot's.
+void tell_home_touches(const ResultFolder& folder, const CodesignProblem& problem,
+                       const std::function<void(const std::string&)>& warn) {
+  const fs::path robot = result_folder(folder, problem, 0) / "robot.xml";
+  if (!fs::exists(robot)) return;
+  const auto touches = new_home_touches(folder.inputs() / "robot.xml", robot);
+  if (!touches.empty())
+    warn(fmt::format("{}: {}", folder.in_the_end(robot).string(), describe(touches)));
+}
+
 }  // namespace
 
 std::string status_text(SolveStatus status, int signal) {
@@ -116,6 +127,7 @@ void write_end(const ResultFolder& folder, const CodesignProblem& problem,
   RunEffort effort = effort_of(found);
   effort.file_seconds = recorder.seconds();
   run.engine_warnings = engine_warnings(folder, problem, warn);
+  tell_home_touches(folder, problem, warn);
   if (problem.set.joint()) {
     finish_joint_run(run, status, found, outcomes, effort, problem);
     write_task_runs(folder, problem, run, found, outcomes, recorder);

@@ -59,6 +59,20 @@ TEST(ModuleOverlaps, AreNoneBelowTheTolerance) {
   EXPECT_TRUE(overlaps_of(dog).empty());
 }
 
+/// A design may bring together what was drawn apart.
+TEST(ModuleOverlaps, AreTouchesOfADesignWhereTheRobotHadNone) {
+  const ModelPointer apart = compile_mjcf(xml_of(boxy_dog()), "dog.xml"),
+                     together = compile_mjcf(xml_of(narrow_dog()), "dog.xml");
+  const std::vector<HomeTouch> found = new_home_touches(*apart, *together, "dog.xml");
+  ASSERT_EQ(found.size(), overlaps_of(narrow_dog()).size());
+  EXPECT_EQ(found[0].first, "module 'FL_hip_servo'");
+  EXPECT_EQ(found[0].second, "module 'HL_hip_servo'");
+  EXPECT_NEAR(found[0].depth, 0.003, 1e-6);
+  EXPECT_NE(describe(found).find("[print] in its assembly bounds links"), std::string::npos);
+  EXPECT_TRUE(new_home_touches(*together, *together, "dog.xml").empty());
+  EXPECT_TRUE(new_home_touches(*together, *apart, "dog.xml").empty());
+}
+
 TEST(ModuleOverlaps, AreToldOfARobotWithTheCureOfItsAssembly) {
   EXPECT_TRUE(overlapping_modules(parse_robot(xml_of(boxy_dog()), "dog.xml")).empty());
   const RobotModel robot = parse_robot(xml_of(narrow_dog()), "dog.xml");
