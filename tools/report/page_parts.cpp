@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
+#include <stdexcept>
 
 #include "tools/image/picture_origin.hpp"
 #include "tools/report/judged_words.hpp"
@@ -95,14 +95,10 @@ std::string too_large(const fs::path& file) {
 
 namespace {
 
-/// Whether a picture is there that is not of another. One that cannot be read is not.
+/// Whether a picture is there that is not of another. Throws as read_file() does.
 bool shows(const fs::path& file, const fs::path& folder, const JudgedSums& here) {
-  if (!fs::is_regular_file(file)) return false;
-  try {
-    return standing_of_picture(picture_origin(file), folder, here) != Standing::of_another;
-  } catch (const std::system_error&) {
-    return false;
-  }
+  return fs::exists(file) &&
+         standing_of_picture(picture_origin(file), folder, here) != Standing::of_another;
 }
 
 }  // namespace
@@ -113,12 +109,16 @@ bool shows_this(const RunData& data, const fs::path& picture) {
 
 bool shows_iteration(const RunData& data, int index) {
   const fs::path folder = data.iteration(index);
-  return shows(folder / "frame.png", folder, {});
+  try {
+    return shows(folder / "frame.png", folder, {});
+  } catch (const std::runtime_error&) {
+    return true;  // whoever shows it says why it cannot be
+  }
 }
 
 void add_of_another(Html& page, const RunData& data, const fs::path& picture,
                     const std::string& what) {
-  if (fs::is_regular_file(data.root / picture) && !shows_this(data, picture))
+  if (fs::exists(data.root / picture) && !shows_this(data, picture))
     page.note(fmt::format("{} {} is {}.", what, picture.generic_string(), kPictureOfAnother));
 }
 

@@ -65,7 +65,7 @@ void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
 void add_other_iterations(Html& page, const RunData& data) {
   int others = 0;
   for (int i = 0; i < static_cast<int>(data.iterations.size()); ++i)
-    if (fs::is_regular_file(data.iteration(i) / "frame.png") && !shows_iteration(data, i)) ++others;
+    if (fs::exists(data.iteration(i) / "frame.png") && !shows_iteration(data, i)) ++others;
   if (others > 0)
     page.note(
         fmt::format("Left out: {} frame.png of iterations, not of the designs that stand "
