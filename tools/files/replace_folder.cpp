@@ -11,11 +11,16 @@ namespace legwright {
 
 namespace fs = std::filesystem;
 
-fs::path exchange_folders(const fs::path& fresh, const fs::path& old) {
+bool exchange_at_once(const fs::path& fresh, const fs::path& old) {
   if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0)
-    return fresh;
-  if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP)
-    throw std::system_error(errno, std::generic_category(), old.string());
+    return true;
+  for (const int cannot : {EINVAL, ENOSYS, EOPNOTSUPP, EXDEV, EBUSY})
+    if (errno == cannot) return false;
+  throw std::system_error(errno, std::generic_category(), old.string());
+}
+
+fs::path exchange_folders(const fs::path& fresh, const fs::path& old) {
+  if (exchange_at_once(fresh, old)) return fresh;
   fs::path aside = old.parent_path() / ("." + old.filename().string() + "-replaced");
   fs::remove_all(aside);
   fs::rename(old, aside);

@@ -5,6 +5,11 @@
 
 namespace legwright {
 
+/// Exchanges the names of two folders, so that there is no moment without either.
+/// @return false where the file system cannot, or not these two: a lower layer's, a mounted one.
+/// Throws std::system_error.
+bool exchange_at_once(const std::filesystem::path& fresh, const std::filesystem::path& old);
+
 /// Puts a folder in the place of another: at once where the file system can exchange names.
 /// @return where the other one is now. Throws std::system_error.
 std::filesystem::path exchange_folders(const std::filesystem::path& fresh,

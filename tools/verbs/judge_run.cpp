@@ -4,12 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/input_error.hpp"
 #include "mjcf/text/listed.hpp"
 #include "mjcf/text/robot_files.hpp"
+#include "tools/files/atomic_file.hpp"
 #include "tools/files/checksum.hpp"
+#include "tools/files/link_folder.hpp"
+#include "tools/files/replace_folder.hpp"
+#include "tools/files/unfinished_folder.hpp"
 #include "tools/run/install.hpp"
 #include "tools/run/outer_measured.hpp"
 #include "tools/simulate/mujoco_host.hpp"
@@ -173,16 +180,17 @@ void tell_outer(const ResultFolder& folder, const MetricsRecord& metrics) {
   write_json(folder.run_json(), json_of(run));
 }
 
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
 /// The other files of a judgement by name, as they will stand.
-std::vector<std::pair<std::string, std::string>> texts_of(const JudgedRun& judged) {
+Texts texts_of(const JudgedRun& judged) {
   const SceneValidation &initial = judged.designs[0], &result = judged.designs[1];
   ComparisonRecord compared = comparison_record(initial.comparison, result.comparison);
   compared.of = judged.of;
-  std::vector<std::pair<std::string, std::string>> texts{
-      {"playback_initial.csv", playback_csv(initial)},
-      {"playback_result.csv", playback_csv(result)},
-      {"metrics.json", to_text(json_of(judged.metrics))},
-      {"comparison.json", to_text(json_of(compared))}};
+  Texts texts{{"playback_initial.csv", playback_csv(initial)},
+              {"playback_result.csv", playback_csv(result)},
+              {"metrics.json", to_text(json_of(judged.metrics))},
+              {"comparison.json", to_text(json_of(compared))}};
   if (const auto record = judged.numerics_record())
     texts.emplace_back("numerics.json", to_text(json_of(*record)));
   if (const auto record = judged.robustness_record())
@@ -196,6 +204,27 @@ void remove_pictures_of_another(const fs::path& result, const std::string& verdi
   if (!fs::is_regular_file(old) || read_file(old) == verdict) return;
   for (const char* name : {"strip_physics.png", "overlay.png", "contact_timeline.png", "gait.webp"})
     fs::remove(result / name);
+}
+
+/// Into a folder that has what an earlier judgement wrote, or its copy.
+void write_files(const fs::path& where, const Texts& texts, const std::string& verdict) {
+  remove_pictures_of_another(where, verdict);
+  std::set<std::string> written;
+  for (const auto& [name, text] : texts) {
+    write_file(where / name, text);
+    written.insert(name);
+  }
+  for (const char* name : {"numerics.json", "robustness.json"})
+    if (!written.contains(name)) fs::remove(where / name);
+  write_file(where / "verdict.json", verdict);  // last: all it rests on is there
+}
+
+/// Whether the process stands in a folder, and with it most likely the shell that it was called in:
+/// both would be left in a removed one.
+bool works_in(const fs::path& folder) {
+  std::error_code error;
+  const fs::path relative = fs::current_path(error).lexically_relative(folder);
+  return !error && !relative.empty() && *relative.begin() != "..";
 }
 
 }  // namespace
@@ -251,13 +280,18 @@ void write_judged(const ResultFolder& folder, JudgedRun& judged) {
   for (const auto& [name, text] : texts) judged.verdict.with->of(name) = sha256_hex(text);
   const std::string verdict = to_text(json_of(judged.verdict));
   check_unchanged(folder.root(), judged.of, sums_of_run(folder.root()));
-  const fs::path out = folder.result();
-  remove_pictures_of_another(out, verdict);
-  for (const auto& [name, text] : texts) write_file(out / name, text);
-  for (const char* name : {"numerics.json", "robustness.json"})
-    if (judged.verdict.with->find(name) == nullptr) fs::remove(out / name);
   tell_outer(folder, judged.metrics);
-  write_file(out / "verdict.json", verdict);  // last: all it rests on is there
+  // The old judgement stands until the whole new one does: it is made beside, and exchanged. Where
+  // that cannot be, file by file: a judgement that was broken off is then told from a whole one.
+  const fs::path out = fs::canonical(folder.result());
+  if (!works_in(out)) {
+    const UnfinishedFolder next(out);
+    if (link_folder(out, next.path())) {
+      write_files(next.path(), texts, verdict);
+      if (exchange_at_once(next.path(), out)) return sync_folder(out.parent_path());
+    }
+  }
+  write_files(out, texts, verdict);
 }
 
 JudgedRun judge_run(const ResultFolder& folder, const JudgeOptions& options) {

@@ -17,21 +17,31 @@ namespace fs = std::filesystem;
 /// From one call that is tried to the next, for each way to fail; farther where a picture is drawn,
 /// which takes seconds.
 long step_of(const std::string& name, long calls) {
-  const bool draws = name == "export";
+  const bool draws = name == "export" || name == "render";
   if (test::long_tests()) return draws ? 5 : 1;
   return std::max(1L, calls / (draws ? 2 : 5));
 }
 
 class FileFaults : public FaultFolder {
  protected:
+  FileFaults() {
+    const std::vector<std::string>& killed = GetParam().killed;
+    if (killed.empty()) return;
+    const fs::path whole = copy_of_start("whole");
+    EXPECT_EQ(command_with_fault(killed, LEGWRIGHT_FAULT_SHIM, whole, 0, "kill").code, 0);
+    const long at = 2 * counted() / 3;
+    EXPECT_EQ(command_with_fault(killed, LEGWRIGHT_FAULT_SHIM, start_, at, "kill").code, -SIGKILL);
+    old_ = tree(start_);
+  }
   Outcome call(const fs::path& folder, long at, const std::string& how) const {
     return call_with_fault(LEGWRIGHT_FAULT_SHIM, folder, at, how);
   }
   void expect_works_again(const fs::path& folder, const Tree& fresh) const {
-    const bool refuses_what_is_there = GetParam().name.starts_with("export");
+    const std::string& name = GetParam().name;
+    const bool refuses_what_is_there = name.starts_with("export") || name == "resume";
     if (tree(folder) == fresh && refuses_what_is_there) return;
     const Outcome again = call(folder, 0, "kill");
-    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(again.code, GetParam().ends) << again.err;
     EXPECT_EQ(tree(folder), fresh);
     EXPECT_EQ(leftovers_in(folder), std::set<std::string>{});
     EXPECT_EQ(read_file(folder / "mine.txt"), "nobody touches this\n");
@@ -40,7 +50,8 @@ class FileFaults : public FaultFolder {
 
 TEST_P(FileFaults, LeaveTheOldOrTheNew) {
   const fs::path undisturbed = copy_of_start("undisturbed");
-  EXPECT_EQ(call(undisturbed, 0, "kill").code, 0);
+  const Outcome first = call(undisturbed, 0, "kill");
+  EXPECT_EQ(first.code, GetParam().ends) << first.err;
   const long calls = counted();
   const Tree fresh = tree(undisturbed);
   ASSERT_GT(calls, 2);
@@ -57,8 +68,10 @@ TEST_P(FileFaults, LeaveTheOldOrTheNew) {
       if (std::string(how) == "kill") {
         EXPECT_EQ(outcome.code, -SIGKILL);
         EXPECT_TRUE(stands(now, fresh, folder));
-      } else if (outcome.code == 0) {  // it could do without
-        EXPECT_EQ(now, fresh);
+      } else if (outcome.code == GetParam().ends) {  // it could do without
+        if (!GetParam().is_told(folder)) {
+          EXPECT_EQ(now, fresh);
+        }
       } else {
         // MuJoCo does not tell a file that cannot be read from an empty one.
         const bool unread = std::string(how) == "EIO" && outcome.code != 3 &&
@@ -80,6 +93,16 @@ std::vector<std::string> other(std::vector<std::string> words) {
   return words;
 }
 
+std::vector<std::string> judged_for(const std::string& cycles) {
+  return {"validate", "run", "--quick", "--cycles", cycles};
+}
+/// A report says what could not be read.
+bool says_what_failed(const fs::path& folder) {
+  const std::string page = read_file(folder / "run/report.html");
+  return contains(page, "Input/output error") || contains(page, "mpty file");
+}
+bool never_unfinished(const fs::path& /*folder*/) { return false; }
+
 INSTANTIATE_TEST_SUITE_P(
     Verbs, FileFaults,
     testing::Values(Case{"init", {}, {"init", "dog.xml", "--write"}, "dog.xml"},
@@ -91,6 +114,47 @@ INSTANTIATE_TEST_SUITE_P(
                          "run/",
                          true,
                          is_between_results},
+                    Case{"resume",
+                         {},
+                         {"optimize", "--resume", "run"},
+                         "run/",
+                         false,
+                         is_run_unfinished,
+                         0,
+                         true,
+                         kOptimize},
+                    Case{"validate",
+                         {kOptimize},
+                         {"validate", "run", "--quick", "--cycles", "5"},
+                         "run/result/",
+                         true,
+                         never_unfinished,
+                         1},
+                    Case{"validate_again",
+                         {kOptimize, judged_for("4")},
+                         judged_for("5"),
+                         "run/result/",
+                         true,
+                         never_unfinished,
+                         1},
+                    Case{"render",
+                         {kOptimize},
+                         {"render", "run", "--still"},
+                         "run/result/",
+                         true,
+                         never_unfinished,
+                         0,
+                         false},
+                    Case{"report",
+                         {kOptimize, {"report", "run"}, judged_for("4")},
+                         {"report", "run"},
+                         "run/re",
+                         true,
+                         never_unfinished,
+                         0,
+                         false,
+                         {},
+                         says_what_failed},
                     Case{"export", {kOptimize}, {"export", "run", "-o", "ex"}, "ex/"},
                     Case{"export_without_picture",
                          {kOptimize},

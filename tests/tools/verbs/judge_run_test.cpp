@@ -236,6 +236,33 @@ TEST_F(JudgeRun, AVerdictFromElsewhereIsBelievedByNobody) {
   EXPECT_TRUE(lines["lines"].empty());
 }
 
+TEST_F(JudgeRun, WhatElseStandsBesideTheResultStays) {
+  (void)judge_run(ResultFolder::open(run_), options_);
+  const fs::path result = run_ / "result";
+  fs::create_directory(result / "mine");
+  write_file(result / "mine/notes.txt", "mine\n");
+  fs::create_symlink("../run.json", result / "skin.png");
+  fs::permissions(result, fs::perms::owner_all | fs::perms::group_exec);
+  options_.validation.cycles = 5;
+  (void)judge_run(ResultFolder::open(run_), options_);
+  EXPECT_EQ(read_json(result / "metrics.json")["cycles"], 5);
+  EXPECT_EQ(read_file(result / "mine/notes.txt"), "mine\n");
+  EXPECT_EQ(read_file(result / "skin.png"), read_file(run_ / "run.json"));
+  EXPECT_EQ(fs::read_symlink(result / "skin.png"), "../run.json");
+  EXPECT_EQ(fs::status(result).permissions(), fs::perms::owner_all | fs::perms::group_exec);
+  for (const auto& entry : fs::directory_iterator(run_))
+    EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
+}
+
+TEST_F(JudgeRun, WhoStandsInTheResultStillStandsInIt) {
+  const fs::path before = fs::current_path();
+  fs::current_path(run_ / "result");
+  (void)judge_run(ResultFolder::open(".."), options_);
+  EXPECT_TRUE(fs::exists("verdict.json"));
+  EXPECT_TRUE(fs::equivalent(".", run_ / "result"));
+  fs::current_path(before);
+}
+
 TEST_F(JudgeRun, PicturesOfAnotherJudgementGoAway) {
   const ResultFolder folder = ResultFolder::open(run_);
   const fs::path picture = run_ / "result/strip_physics.png";
