@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -151,8 +152,9 @@ bool overlap_everywhere(const mjModel& model, const std::filesystem::path& file,
         const int at = model.jnt_qposadr[joint];
         const double home = home_qpos(model)[at];
         const bool limited = model.jnt_limited[joint] != 0;
-        const double low = limited ? model.jnt_range[2 * joint] : home - kUnlimited;
-        const double high = limited ? model.jnt_range[2 * joint + 1] : home + kUnlimited;
+        const mjtNum* const range = model.jnt_range + std::ptrdiff_t{2} * joint;
+        const double low = limited ? range[0] : home - kUnlimited;
+        const double high = limited ? range[1] : home + kUnlimited;
         data->qpos[at] = low + 0.5 * static_cast<double>(rest % 3) * (high - low);
         rest /= 3;
       }
@@ -240,6 +242,7 @@ std::vector<BodyTouch> lasting_overlaps(const RobotModel& robot) {
 
 std::string excluded_words(const std::vector<BodyTouch>& touches) {
   std::vector<std::string> pairs;
+  pairs.reserve(touches.size());
   for (const BodyTouch& touch : touches)
     pairs.push_back(
         fmt::format("'{}' in '{}' ({:.2g} mm)", touch.second, touch.first, 1e3 * touch.depth));
@@ -255,10 +258,12 @@ std::vector<std::string> overlapping_links(const RobotModel& robot) {
   const auto deepest = overlapping_pairs(robot, *model, of_modules);
   if (deepest.empty()) return {};
   std::vector<GeomPair> pairs;
+  pairs.reserve(deepest.size());
   for (const auto& [bodies, pair] : deepest) pairs.push_back(pair);
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const GeomPair& a, const GeomPair& b) { return a.depth > b.depth; });
   std::vector<std::string> told;
+  told.reserve(pairs.size());
   for (const GeomPair& pair : pairs)
     told.push_back(
         fmt::format("{} is {:.2g} mm inside {}{} ({} in {})",
