@@ -24,8 +24,7 @@ constexpr double kDeep = 1e-6;           // [m]: less is rounding
 constexpr double kOverlap = 1e-4;        // [m]: less does not push a robot
 constexpr std::size_t kMostListed = 4;   // of them
 constexpr std::size_t kMostBetween = 3;  // hinges of a limb between two links
-constexpr const char* kModule = "module '";
-constexpr double kUnlimited = 1.0;  // [rad] each way, of a hinge without a range
+constexpr double kUnlimited = 1.0;       // [rad] each way, of a hinge without a range
 
 using Depths = std::map<std::pair<int, int>, double>;  // of two geoms, the smaller id first [m]
 
@@ -81,6 +80,13 @@ std::set<int> geoms_of_modules(const mjModel& model) {
   return out;
 }
 
+/// Whether module_overlaps() tells of two geoms.
+bool is_told_of_modules(const std::set<int>& of_modules, const std::pair<int, int>& geoms,
+                        double depth) {
+  return depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
+         of_modules.count(geoms.second) > 0;
+}
+
 /// Of two bodies the two geoms that are deepest in each other; `first` is of the lower body id.
 struct GeomPair {
   int first, second;
@@ -97,9 +103,7 @@ std::map<std::pair<int, int>, GeomPair> overlapping_pairs(const RobotModel& robo
         std::minmax({model.geom_bodyid[geoms.first], model.geom_bodyid[geoms.second]});
     const bool of_robot = model.body_rootid[bodies.first] == robot.structure.trunk &&
                           model.body_rootid[bodies.second] == robot.structure.trunk;
-    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
-                         of_modules.count(geoms.second) > 0;
-    if (!of_robot || is_told || depth < kOverlap ||
+    if (!of_robot || is_told_of_modules(of_modules, geoms, depth) || depth < kOverlap ||
         pass_when_played(model, robot.structure, bodies.first, bodies.second))
       continue;
     const bool ordered = model.geom_bodyid[geoms.first] == bodies.first;
@@ -174,8 +178,8 @@ std::vector<HomeTouch> new_module_touches(const mjModel& before, const mjModel& 
   std::vector<HomeTouch> out;
   for (const ModuleOverlap& each : module_overlaps(after, file))
     if (then.count({each.first, each.second}) == 0)
-      out.push_back({fmt::format("{}{}'", kModule, each.first),
-                     fmt::format("{}{}'", kModule, each.second), each.depth});
+      out.push_back({fmt::format("module '{}'", each.first),
+                     fmt::format("module '{}'", each.second), each.depth, true});
   return out;
 }
 
@@ -191,12 +195,9 @@ std::vector<HomeTouch> new_home_touches(const mjModel& before, const mjModel& af
   const Depths then = home_depths(before, file), now = home_depths(after, file);
   const std::set<int> of_modules = geoms_of_modules(after);
   std::vector<HomeTouch> out = new_module_touches(before, after, file);
-  for (const auto& [geoms, depth] : now) {
-    const bool is_told = depth >= kToldOverlap && of_modules.count(geoms.first) > 0 &&
-                         of_modules.count(geoms.second) > 0;
-    if (then.count(geoms) == 0 && !is_told)
+  for (const auto& [geoms, depth] : now)
+    if (then.count(geoms) == 0 && !is_told_of_modules(of_modules, geoms, depth))
       out.push_back({describe_geom(after, geoms.first), describe_geom(after, geoms.second), depth});
-  }
   std::stable_sort(out.begin(), out.end(),
                    [](const HomeTouch& a, const HomeTouch& b) { return a.depth > b.depth; });
   return out;
@@ -290,9 +291,8 @@ std::string describe(const std::vector<HomeTouch>& touches) {
   for (const HomeTouch& touch : touches)
     pairs.push_back(
         fmt::format("{} and {}, {:.2g} mm deep", touch.first, touch.second, 1e3 * touch.depth));
-  const bool of_modules = std::any_of(touches.begin(), touches.end(), [](const HomeTouch& touch) {
-    return touch.first.starts_with(kModule);
-  });
+  const bool of_modules = std::any_of(touches.begin(), touches.end(),
+                                      [](const HomeTouch& touch) { return touch.is_of_modules; });
   return fmt::format(
       "in its home pose the designed body touches itself where the initial one does not: {}; "
       "narrow the bounds of what brought them together ([design.bounds] of the task{})",

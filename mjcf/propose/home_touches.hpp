@@ -17,6 +17,7 @@ struct HomeTouch {
   std::string first, second;  // "geom 'knee' of 'FL_shank'", "a capsule of 'FL_shank'",
                               // "module 'FL_knee_servo'"
   double depth = 0.0;         // [m]
+  bool is_of_modules = false;
 };
 
 /// Touches of a design that the robot it comes from does not have: knees that were turned inwards,

@@ -58,12 +58,12 @@ std::vector<TendonSpan> read_tendons(const XmlFile& xml, const mjModel& model,
       found.structure.frozen.push_back({joint, name_of(model, mjOBJ_JOINT, joint), "", "refused"});
     }
   }
-  // One over a joint that another has turned into a held one.
-  spans.erase(std::remove_if(spans.begin(), spans.end(),
-                             [&](const TendonSpan& span) {
-                               return !found.structure.moves[static_cast<std::size_t>(span.joint)];
-                             }),
-              spans.end());
+  // One over a joint that another has turned into a held one: its actuator counts as held, too.
+  std::erase_if(spans, [&](const TendonSpan& span) {
+    const bool moves = found.structure.moves[static_cast<std::size_t>(span.joint)];
+    if (!moves) found.structure.reads_tendon[static_cast<std::size_t>(span.tendon)] = false;
+    return !moves;
+  });
   return spans;
 }
 
@@ -110,14 +110,6 @@ PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bi
       for (const Binding::Target& target : bindings[k].targets)
         reasons.collect([&] { add(k, target); });
   return places;
-}
-
-PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
-                        const std::filesystem::path& file) {
-  Refusals reasons;
-  PlaceMap out = collect_places(space, bindings, file, reasons);
-  reasons.throw_if_any();
-  return out;
 }
 
 void check_places(const XmlFile& xml, const mjModel& model, const PlaceMap& places,

@@ -31,10 +31,7 @@ void check_arms(const XmlFile& xml, const std::vector<TendonSpan>& tendons,
 /// Whether a site is an end of a tendon.
 bool is_tendon_end(const mjModel& model, int site);
 
-/// All placed coordinates by site. Throws InputError with all that are placed twice.
-PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
-                        const std::filesystem::path& file);
-/// The same; one that is placed before is left out, with a reason.
+/// All placed coordinates by site. One that is placed before is left out, with a reason.
 PlaceMap collect_places(const DesignSpace& space, const std::vector<Binding>& bindings,
                         const std::filesystem::path& file, Refusals& reasons);
 /// A placed coordinate that a stretch of its body moves obliquely is a reason: the site's place

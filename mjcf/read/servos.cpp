@@ -189,21 +189,11 @@ bool drives_held(const mjModel& model, const Structure& structure, int actuator)
   }
 }
 
-/// Null where the tendon is refused.
-const LinearActuator* linear_actuator(const mjModel& model, const Morphology& morphology,
+const LinearActuator& linear_actuator(const mjModel& model, const Morphology& morphology,
                                       int tendon) {
   const std::string name = name_of(model, mjOBJ_TENDON, tendon);
-  const auto found =
-      std::find_if(morphology.linear_actuators.begin(), morphology.linear_actuators.end(),
-                   [&](const LinearActuator& actuator) { return actuator.name == name; });
-  return found == morphology.linear_actuators.end() ? nullptr : &*found;
-}
-
-/// Whether an actuator drives a tendon of which the reason is told: nobody knows which joint.
-bool drives_refused(const mjModel& model, const Morphology& morphology, int actuator) {
-  const int target = model.actuator_trnid[std::ptrdiff_t{2} * actuator];
-  return model.actuator_trntype[actuator] == mjTRN_TENDON && lone_joint(model, target) < 0 &&
-         linear_actuator(model, morphology, target) == nullptr;
+  return *std::find_if(morphology.linear_actuators.begin(), morphology.linear_actuators.end(),
+                       [&](const LinearActuator& actuator) { return actuator.name == name; });
 }
 
 /// Name of the hinge that an actuator drives, itself or through its tendon; empty if there is none.
@@ -216,7 +206,7 @@ std::string driven_joint(const mjModel& model, const Morphology& morphology, int
     case mjTRN_TENDON:
       if (const int joint = lone_joint(model, target); joint >= 0)
         return name_of(model, mjOBJ_JOINT, joint);
-      return morphology.links[linear_actuator(model, morphology, target)->joint + 1].joint.name;
+      return morphology.links[linear_actuator(model, morphology, target).joint + 1].joint.name;
     default:
       return "";
   }
@@ -229,7 +219,7 @@ double home_arm(const mjModel& model, const Morphology& morphology, const Eigen:
       joint_through_tendon(model, actuator) >= 0)
     return 1.0;
   const LinearActuator& linear =
-      *linear_actuator(model, morphology, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
+      linear_actuator(model, morphology, model.actuator_trnid[std::ptrdiff_t{2} * actuator]);
   return morphology.leg_length *
          std::abs(moment_arm(actuator_shape(morphology, linear, s).value,
                              morphology.links[linear.joint + 1].joint.nominal));
@@ -294,7 +284,7 @@ std::map<std::string, int> actuators_of_joints(const XmlFile& xml, const mjModel
       throw xml.error(element, fmt::format("is a second actuator of joint '{}'; leave one", name));
   };
   for (int a = 0; a < model.nactuator; ++a) {
-    if (drives_held(model, structure, a) || drives_refused(model, morphology, a)) continue;
+    if (drives_held(model, structure, a)) continue;
     if (is_muscle(model, a)) {
       muscles.push_back(a);
       out.emplace(driven_joint(model, morphology, a), kRefused);
@@ -329,14 +319,9 @@ std::vector<Servo> read_servos(const XmlFile& xml, const mjModel& model, const S
     servo.joint_damping = model.dof_damping[model.jnt_dofadr[id]];
     servos.push_back(std::move(servo));
   };
-  bool any_refused = false;
-  for (int k = 0; k < model.nactuator; ++k)
-    any_refused =
-        any_refused || (!drives_held(model, structure, k) && drives_refused(model, morphology, k));
   for (int a = 0; a < morphology.joint_count(); ++a) {
     const std::string& joint = morphology.links[a + 1].joint.name;
     const auto found = actuator_of.find(joint);
-    if (found == actuator_of.end() && any_refused) continue;  // which may be what moves it
     if (found == actuator_of.end())
       reasons.add(without_actuator(xml, model, morphology, a));
     else if (found->second != kRefused)

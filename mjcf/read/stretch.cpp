@@ -228,12 +228,4 @@ StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding
   return stretches;
 }
 
-StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
-                             const std::filesystem::path& file) {
-  Refusals reasons;
-  StretchMap out = collect_stretches(space, bindings, file, reasons);
-  reasons.throw_if_any();
-  return out;
-}
-
 }  // namespace legwright

@@ -37,11 +37,8 @@ struct BodyInertia {
 };
 BodyInertia inertia_of(const XmlElement& inertial, const mjModel& model, int body);
 
-/// All stretches of a robot by body. Throws InputError with all that are not perpendicular to
-/// others of their body.
-StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
-                             const std::filesystem::path& file);
-/// The same; such stretches are left out, each with a reason.
+/// All stretches of a robot by body. Those that are not perpendicular to others of their body are
+/// left out, each with a reason.
 StretchMap collect_stretches(const DesignSpace& space, const std::vector<Binding>& bindings,
                              const std::filesystem::path& file, Refusals& reasons);
 

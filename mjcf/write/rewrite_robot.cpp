@@ -18,6 +18,7 @@
 #include "mjcf/text/elements.hpp"
 #include "mjcf/text/model_arrays.hpp"
 #include "mjcf/text/numbers.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/text/text_edits.hpp"
 #include "mjcf/write/capsule_masses.hpp"
 #include "mjcf/write/connector_hulls.hpp"
@@ -326,8 +327,10 @@ TextEdits edited_body(const RobotModel& robot, const XmlFile& xml, const mjModel
   TextEdits edits(xml);
   write_values(robot, xml, s, edits);
   write_axes(robot, xml, s, edits);
-  const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file);
-  const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file);
+  Refusals reasons;  // none, of a robot that was read
+  const StretchMap all = collect_stretches(robot.space, robot.bindings, robot.file, reasons);
+  const PlaceMap places = collect_places(robot.space, robot.bindings, robot.file, reasons);
+  reasons.throw_if_any();
   const TreeElements elements = find_elements(xml, model);
   const RigidMap rigid = rigid_feet(xml, model, elements, robot.structure, all, s);
   const ShiftMap feet = shifted_feet(xml, model, elements, robot.structure, all);

@@ -277,13 +277,14 @@ std::string write_proposals(const StudiedRobot& robot, const std::string& output
   if (robot.found.proposals.empty() && !robot.is_changed() && output.empty())
     return "";  // nothing to add
   std::string written = output.empty() ? file.string() : output;
-  const std::string text = with_declarations(robot.files.main_text(), file, robot.found.proposals);
+  const RobotFiles declared = with_declared(robot, robot.found.proposals);
+  const std::string& text = declared.main_text();
   if (const std::string now = read_file(file); now != robot.text && now != text)
     throw IoError(file.string() + ": has been changed since it was studied; study it again");
   if (output.empty())
     write_file(written, text);
   else
-    write_main_file(output, robot.files.with_main(text));
+    write_main_file(output, declared);
   return written;
 }
 

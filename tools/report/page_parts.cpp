@@ -116,17 +116,17 @@ bool shows_iteration(const RunData& data, int index) {
   }
 }
 
-void add_of_another(Html& page, const RunData& data, const fs::path& picture,
+bool add_of_another(Html& page, const RunData& data, const fs::path& picture,
                     const std::string& what) {
-  if (fs::exists(data.root / picture) && !shows_this(data, picture))
-    page.note(fmt::format("{} {} is {}.", what, picture.generic_string(), kPictureOfAnother));
+  if (!fs::exists(data.root / picture) || shows_this(data, picture)) return false;
+  page.note(fmt::format("{} {} is {}.", what, picture.generic_string(), kPictureOfAnother));
+  return true;
 }
 
 bool add_strip_if(Html& page, const RunData& data, const fs::path& picture,
                   const std::string& title, const std::string& explanation, PictureBudget& budget) {
-  add_of_another(page, data, picture, title);
-  if (!shows_this(data, picture)) return false;
   const fs::path file = data.root / picture;
+  if (add_of_another(page, data, picture, title) || !fs::exists(file)) return false;
   if (budget.take(file)) {
     add_strip(page, file, title, explanation);
   } else {

@@ -30,8 +30,9 @@ std::string too_large(const std::filesystem::path& file);
 bool shows_this(const RunData& data, const std::filesystem::path& picture);
 /// Whether the picture of an iteration is there, and not of another design.
 bool shows_iteration(const RunData& data, int index);
-/// That a picture is of another result, where one is there. @param what it shows
-void add_of_another(Html& page, const RunData& data, const std::filesystem::path& picture,
+/// Says that a picture is of another result, where one is there. @param what it shows
+/// @return whether it is
+bool add_of_another(Html& page, const RunData& data, const std::filesystem::path& picture,
                     const std::string& what);
 /// Adds a strip where it is there, of this result, and fits; says so where it is not or does not
 /// fit. Whether it is there. @param picture below the run's folder

@@ -184,11 +184,13 @@ void add_pair_pictures(Html& page, const RunPair& pair) {
   PictureBudget budget;
   unsigned widest = 1;
   std::vector<std::pair<fs::path, unsigned>> strips;
-  for (const RunData* run : {&pair.a, &pair.b}) {
-    fs::path picture = "result/strip_physics.png";
-    if (!shows_this(*run, picture)) picture = "result/strip_before_after.png";
-    const fs::path file = run->root / picture;
-    strips.emplace_back(file, shows_this(*run, picture) ? png_width(read_head(file, 24)) : 0);
+  for (const auto& [name, run] : {std::pair{"A", &pair.a}, {"B", &pair.b}}) {
+    fs::path file;
+    for (const char* picture : {"result/strip_physics.png", "result/strip_before_after.png"})
+      if (file.empty() && !add_of_another(page, *run, picture, fmt::format("{}:", name)) &&
+          fs::exists(run->root / picture))
+        file = run->root / picture;
+    strips.emplace_back(file, file.empty() ? 0 : png_width(read_head(file, 24)));
     widest = std::max(widest, strips.back().second);
   }
   const char* name = "A";

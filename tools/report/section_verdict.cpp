@@ -46,8 +46,7 @@ constexpr std::uintmax_t kMostMoving = 1'500'000, kMostStill = 200'000;  // byte
 void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
   const char* const picture = "result/gait.webp";
   const fs::path gait = data.root / picture;
-  add_of_another(page, data, picture, "The gait in motion.");
-  if (!shows_this(data, picture)) return;
+  if (add_of_another(page, data, picture, "The gait in motion.") || !fs::exists(gait)) return;
   const std::string head = read_head(gait, 12);
   if (head.size() < 12 || head.substr(0, 4) != "RIFF" || head.substr(8) != "WEBP") return;
   if (!budget.take(gait, kMostMoving)) {
@@ -59,18 +58,6 @@ void add_gait(Html& page, const RunData& data, PictureBudget& budget) {
       shows_iteration(data, last) ? data.iteration(last) / "frame.png" : fs::path();
   add_moving(page, gait, still, "The gait, in real time.",
              "As simulated where it passed, otherwise as planned.");
-}
-
-/// That pictures of iterations are of other designs.
-void add_other_iterations(Html& page, const RunData& data) {
-  int others = 0;
-  for (int i = 0; i < static_cast<int>(data.iterations.size()); ++i)
-    if (fs::exists(data.iteration(i) / "frame.png") && !shows_iteration(data, i)) ++others;
-  if (others > 0)
-    page.note(
-        fmt::format("Left out: {} frame.png of iterations, not of the designs that stand "
-                    "beside them: render again.",
-                    others));
 }
 
 /// What the plan itself falls short of, and what else than F the body minimised.
@@ -165,10 +152,19 @@ void add_pictures(Html& page, const RunData& data, PictureBudget& budget) {
 
 void add_gallery(Html& page, const RunData& data) {
   std::vector<int> drawn;
-  for (std::size_t i = 0; i < data.iterations.size(); ++i) {
-    if (shows_iteration(data, static_cast<int>(i))) drawn.push_back(static_cast<int>(i));
+  int others = 0;
+  for (int i = 0; i < static_cast<int>(data.iterations.size()); ++i) {
+    if (!fs::exists(data.iteration(i) / "frame.png")) continue;
+    if (shows_iteration(data, i))
+      drawn.push_back(i);
+    else
+      ++others;
   }
-  add_other_iterations(page, data);
+  if (others > 0)
+    page.note(
+        fmt::format("Left out: {} frame.png of iterations, not of the designs that stand "
+                    "beside them: render again.",
+                    others));
   if (drawn.empty()) return;
   constexpr std::size_t kMost = 12;  // keeps the page small: some 30 kB each
   const std::vector<int> shown = spread(data, drawn, kMost);

@@ -56,10 +56,8 @@ std::optional<JudgedSums> of_verdict(const Json& verdict) {
 }
 
 /// The verdict on the result in a verdict.json that others may have written; empty without.
-/// @param run whose verdict it should be
-std::string line_of(const Json& verdict, const fs::path& run) {
-  if (!verdict.is_object()) return "";
-  const Standing standing = standing_of(of_verdict(verdict), sums_of_run(run));
+/// @param standing to the run whose verdict it should be
+std::string line_of(const Json& verdict, Standing standing) {
   if (standing == Standing::of_another) return std::string("result/verdict.json is ") + kOfAnother;
   const Json line = verdict.value("/result/line"_json_pointer, Json());
   if (!line.is_string()) return "";
@@ -75,12 +73,14 @@ void add_verdicts(const fs::path& root, ExportFacts& facts) {
     const fs::path file = folder / "result" / "verdict.json";
     if (!fs::exists(file)) continue;
     const Json verdict = read_json(file);
-    const std::string line = line_of(verdict, folder);
+    if (!verdict.is_object()) continue;
+    const std::optional<JudgedSums> of = of_verdict(verdict);
+    const Standing standing = standing_of(of, sums_of_run(folder));
+    const std::string line = line_of(verdict, standing);
     if (line.empty()) continue;
     facts.verdicts.push_back(line);
-    const std::optional<JudgedSums> of = of_verdict(verdict);
-    const bool of_this = standing_of(of, sums_of_run(folder)) == Standing::of_this;
-    const std::string* const limits = of_this ? of->find(kLimitsSum) : nullptr;
+    const std::string* const limits =
+        standing == Standing::of_this ? of->find(kLimitsSum) : nullptr;
     if (limits != nullptr &&
         std::find(facts.limits.begin(), facts.limits.end(), *limits) == facts.limits.end())
       facts.limits.push_back(*limits);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/verbs/summary.hpp"
-#include "tools/files/shell_word.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "tools/files/shell_word.hpp"
 
 namespace legwright {
 namespace {

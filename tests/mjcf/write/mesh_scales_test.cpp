@@ -12,6 +12,7 @@
 #include "mjcf/shape/mesh_assets.hpp"
 #include "mjcf/text/compile.hpp"
 #include "mjcf/text/mesh_copies.hpp"
+#include "mjcf/text/refusals.hpp"
 #include "mjcf/write/model_diff.hpp"
 #include "mjcf/write/rewrite_robot.hpp"
 #include "tests/mjcf/robots/construction_robots.hpp"
@@ -59,7 +60,8 @@ struct Misfit {
 
 Misfit misfit(const RobotModel& robot, const VectorXd& s, const std::string& text) {
   const ModelPointer before = compile_mjcf(robot.xml, "a"), after = compile_mjcf(text, "b");
-  const StretchMap stretches = collect_stretches(robot.space, robot.bindings, robot.file);
+  Refusals none;
+  const StretchMap stretches = collect_stretches(robot.space, robot.bindings, robot.file, none);
   Misfit out;
   for (int g = 0; g < before->ngeom; ++g) {
     if (before->geom_type[g] != mjGEOM_MESH) continue;

@@ -40,7 +40,7 @@ TEST(PictureOrigin, IsCarriedByAWebpThatShowsTheSame) {
   EXPECT_EQ(decode_webp(encode_webp(one, 70, kOrigin)).frames.size(), 1U);
 }
 
-TEST(PictureOrigin, IsNotInWhatIsCutOffOrNoPicture) {
+TEST(PictureOrigin, IsWholeOrMissingInWhatIsCutOffAndInNoPicture) {
   for (auto bytes : {encode_png(kPicture, kOrigin), encode_webp({{kPicture}, {50}}, 80, kOrigin)})
     while (!bytes.empty()) {
       bytes.pop_back();

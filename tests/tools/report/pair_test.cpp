@@ -41,6 +41,18 @@ class PairTest : public RunFixture {
   fs::path other_;
 };
 
+/// Of A the planned strip stands in.
+TEST_F(PairTest, LeavesOutAPictureOfAnotherResultAndSaysSo) {
+  add_pictures();
+  write_png(run_ / "result" / "strip_physics.png", Image(32, 48, {1, 2, 3}),
+            R"({"inputs/task.toml":"0"})");
+  const std::string page = pair();
+  expect_well_formed(page);
+  EXPECT_TRUE(has(page, "A: result/strip_physics.png is not of this result: render again"));
+  EXPECT_FALSE(has(page, "B: result/"));
+  EXPECT_TRUE(has(page, "data:image/png"));
+}
+
 TEST_F(PairTest, ShowsBothAndWhatDiffers) {
   add_pictures();
   write_png(other_ / "result" / "strip_physics.png", Image(32, 48, {1, 2, 3}));
